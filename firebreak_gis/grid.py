@@ -1,0 +1,236 @@
+"""The grid as one frozen value: CRS, transform and shape.
+
+Two objects lie on the same grid when their `Grid` values match; nothing else is compared.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from affine import Affine
+
+from firebreak_gis.errors import CRSError, GridError
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from pyproj import CRS
+
+#: Transforms that differ by less than this share of a cell are the same grid.
+SAME_GRID_TOLERANCE = 1e-3
+
+UNREFERENCED = Affine(1.0, 0.0, 0.0, 0.0, -1.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A north-up grid of square or rectangular cells.
+
+    Parameters
+    ----------
+    shape
+        (rows, cols).
+    transform
+        Affine transform from (col, row) of cell corners to map coordinates.
+    crs
+        Coordinate reference system, or None for a bare array (an artificial forest).
+    """
+
+    shape: tuple[int, int]
+    transform: Affine = UNREFERENCED
+    crs: CRS | None = None
+
+    @property
+    def cell_size(self) -> float:
+        """Side of a cell in CRS units; raises `GridError` if cells are not square."""
+        width, height = abs(self.transform.a), abs(self.transform.e)
+        if abs(width - height) > SAME_GRID_TOLERANCE * width:
+            raise GridError(
+                f"cells are {width:g} x {height:g}, expected square cells; align the layers first "
+                "(firebreak align, or read_landscape)"
+            )
+        return width
+
+    @property
+    def cell_area_ha(self) -> float:
+        """Area of a cell in hectares (CRS in metres)."""
+        return abs(self.transform.a * self.transform.e) / 10_000.0
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """(left, bottom, right, top) in CRS units."""
+        rows, cols = self.shape
+        left, top = self.transform @ (0, 0)
+        right, bottom = self.transform @ (cols, rows)
+        return left, bottom, right, top
+
+    @property
+    def x(self) -> np.ndarray:
+        """Cell-centre x coordinates, length cols."""
+        return self.transform.c + self.transform.a * (np.arange(self.shape[1]) + 0.5)
+
+    @property
+    def y(self) -> np.ndarray:
+        """Cell-centre y coordinates, length rows (falling)."""
+        return self.transform.f + self.transform.e * (np.arange(self.shape[0]) + 0.5)
+
+    def matches(self, other: Grid) -> bool:
+        """Whether both describe the same cells (transforms within 1e-3 of a cell)."""
+        if self.shape != other.shape or (self.crs is None) != (other.crs is None):
+            return False
+        if self.crs is not None and self.crs != other.crs:
+            return False
+        cell = min(abs(self.transform.a), abs(self.transform.e))
+        corners = ((0, 0), (self.shape[1], self.shape[0]))
+        return all(
+            abs(mine - theirs) <= SAME_GRID_TOLERANCE * cell
+            for corner in corners
+            for mine, theirs in zip(self.transform @ corner, other.transform @ corner, strict=True)
+        )
+
+    def require(self, other: Grid, what: str) -> None:
+        """Raise `GridError` unless `other` matches this grid; `what` names the other object."""
+        if not self.matches(other):
+            raise GridError(
+                f"{what} lies on another grid: got {other.describe()}, expected {self.describe()}; "
+                "align it first (firebreak align --like, or read_landscape(like=...))"
+            )
+
+    def describe(self) -> str:
+        """One line for messages and reports."""
+        rows, cols = self.shape
+        left, _, _, top = self.bounds
+        name = "no CRS" if self.crs is None else crs_name(self.crs)
+        return (
+            f"{rows} x {cols} cells of {abs(self.transform.a):.6g} x {abs(self.transform.e):.6g}, "
+            f"upper left ({left:.6g}, {top:.6g}), {name}"
+        )
+
+    def cells_of(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Row-major cell index of each point; -1 outside the grid.
+
+        Parameters
+        ----------
+        x, y
+            Coordinates in the CRS of the grid, 1-D, equal length.
+        """
+        col_f, row_f = ~self.transform @ (np.asarray(x, dtype=float), np.asarray(y, dtype=float))
+        row, col = np.floor(row_f), np.floor(col_f)
+        inside = (row >= 0) & (row < self.shape[0]) & (col >= 0) & (col < self.shape[1])
+        index = np.full(inside.shape, -1, dtype=np.int64)
+        index[inside] = (row * self.shape[1] + col)[inside].astype(np.int64)
+        return index
+
+    def dataarray(self, values: np.ndarray, name: str, **attrs: Any) -> xr.DataArray:
+        """Wrap a (..., rows, cols) array as a DataArray on this grid, with CF coordinates.
+
+        A leading axis of length 8 is named `direction`.
+
+        Raises
+        ------
+        GridError
+            If the last two axes are not the shape of the grid.
+        """
+        import xarray as xr
+
+        from firebreak_gis.lattice import DIRECTIONS
+
+        if values.shape[-2:] != self.shape:
+            raise GridError(f"{name} has shape {values.shape}, expected (..., {self.shape[0]}, {self.shape[1]})")
+        dims: tuple[str, ...] = ("y", "x")
+        coords: dict[str, Any] = dict(self.coords())
+        if values.ndim == 3:
+            dims = ("direction", "y", "x")
+            coords["direction"] = list(DIRECTIONS)
+        return xr.DataArray(values, dims=dims, coords=coords, name=name, attrs=attrs)
+
+    def coords(self) -> dict[str, Any]:
+        """CF coordinates `y`, `x` and, with a CRS, `spatial_ref` (as rioxarray reads them)."""
+        import xarray as xr
+
+        geographic = self.crs is not None and self.crs.is_geographic
+        units = "degrees" if geographic else "m"
+        coords: dict[str, Any] = {
+            "y": ("y", self.y, {"standard_name": "latitude" if geographic else "projection_y_coordinate",
+                                "units": f"{units}_north" if geographic else units, "axis": "Y"}),
+            "x": ("x", self.x, {"standard_name": "longitude" if geographic else "projection_x_coordinate",
+                                "units": f"{units}_east" if geographic else units, "axis": "X"}),
+        }
+        if self.crs is not None:
+            attrs = self.crs.to_cf()
+            attrs["spatial_ref"] = attrs["crs_wkt"]
+            attrs["GeoTransform"] = " ".join(repr(float(v)) for v in self.transform.to_gdal())
+            coords["spatial_ref"] = xr.Variable((), 0, attrs)
+        return coords
+
+    @classmethod
+    def of(cls, data: xr.DataArray | xr.Dataset) -> Grid:
+        """Read the grid of an xarray object with `y`, `x` and (as rioxarray keeps it) `spatial_ref`.
+
+        Raises
+        ------
+        GridError
+            If there are no `y`, `x` dimensions or the coordinates are not evenly spaced and north-up.
+        """
+        for dim in ("y", "x"):
+            if dim not in data.dims:
+                raise GridError(f"expected dimensions (y, x), got {tuple(data.dims)}; rename or transpose")
+        shape = (int(data.sizes["y"]), int(data.sizes["x"]))
+        crs = None
+        transform = None
+        if "spatial_ref" in data.coords:
+            attrs = data.coords["spatial_ref"].attrs
+            wkt = attrs.get("crs_wkt") or attrs.get("spatial_ref")
+            if wkt:
+                crs = parse_crs(wkt)
+        if "x" in data.coords and "y" in data.coords:
+            transform = _transform_from_centres(data["x"].to_numpy(), data["y"].to_numpy(), data)
+        return cls(shape, transform or UNREFERENCED, crs)
+
+
+def _transform_from_centres(x: np.ndarray, y: np.ndarray, data: xr.DataArray | xr.Dataset) -> Affine:
+    if "spatial_ref" in data.coords and "GeoTransform" in data.coords["spatial_ref"].attrs:
+        stored = Affine.from_gdal(*(float(v) for v in data.coords["spatial_ref"].attrs["GeoTransform"].split()))
+        # A selection or a coarsening leaves the stored transform behind; then the coordinates count.
+        centre_x = stored.c + stored.a * 0.5
+        centre_y = stored.f + stored.e * 0.5
+        steps_agree = (x.size < 2 or np.isclose(x[1] - x[0], stored.a)) and (
+            y.size < 2 or np.isclose(y[1] - y[0], stored.e)
+        )
+        if steps_agree and abs(x[0] - centre_x) < 1e-6 * abs(stored.a) and abs(y[0] - centre_y) < 1e-6 * abs(stored.e):
+            return stored
+    step_x = (x[-1] - x[0]) / (x.size - 1) if x.size > 1 else None
+    step_y = (y[-1] - y[0]) / (y.size - 1) if y.size > 1 else None
+    step_x = step_x or (abs(step_y) if step_y else 1.0)
+    step_y = step_y or -abs(step_x)
+    for name, values, step in (("x", x, step_x), ("y", y, step_y)):
+        if values.size > 1 and not np.allclose(np.diff(values), step, rtol=1e-3):
+            raise GridError(f"the {name} coordinates are not evenly spaced; resample to a regular grid first")
+    if step_x < 0 or step_y > 0:
+        raise GridError("expected a north-up grid (x rising, y falling); sort the coordinates, e.g. "
+                        "data.sortby('y', ascending=False).sortby('x')")
+    return Affine(step_x, 0.0, x[0] - step_x / 2, 0.0, step_y, y[0] - step_y / 2)
+
+
+def parse_crs(value: Any) -> CRS:
+    """Return a `pyproj.CRS` from anything that pyproj reads.
+
+    Raises
+    ------
+    CRSError
+        If it cannot be read.
+    """
+    from pyproj import CRS
+    from pyproj.exceptions import CRSError as ProjError
+
+    try:
+        return CRS.from_user_input(value)
+    except ProjError as error:
+        raise CRSError(f"cannot read the coordinate reference system {str(value)[:80]!r}; give for example EPSG:32635") from error
+
+
+def crs_name(crs: CRS) -> str:
+    """Short name for people: the EPSG code if there is one, else the name."""
+    epsg = crs.to_epsg()
+    return f"EPSG:{epsg}" if epsg else str(crs.name)

@@ -1,0 +1,25 @@
+"""The eight directions of the square grid, defined once.
+
+Rows grow to the south and columns to the east (north-up rasters). Every array with a direction axis
+is ordered N, NE, E, SE, S, SW, W, NW.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+#: Names in order; the index into this tuple is "the direction" everywhere.
+DIRECTIONS: Final = ("N", "NE", "E", "SE", "S", "SW", "W", "NW")
+#: Row step to the neighbour in each direction.
+ROW_STEP: Final = (-1, -1, 0, 1, 1, 1, 0, -1)
+#: Column step to the neighbour in each direction.
+COL_STEP: Final = (0, 1, 1, 1, 0, -1, -1, -1)
+#: Distance to the neighbour, in cells.
+STEP_LENGTH: Final = tuple(math.hypot(r, c) for r, c in zip(ROW_STEP, COL_STEP, strict=True))
+#: Azimuth of each direction, degrees clockwise from north.
+AZIMUTH: Final = tuple(45.0 * d for d in range(8))
+#: Index of the direction that leads back.
+OPPOSITE: Final = tuple((d + 4) % 8 for d in range(8))
+#: The directions that share a side with the cell.
+ORTHOGONAL: Final = (0, 2, 4, 6)

@@ -1,0 +1,185 @@
+"""Plug-ins: one file a method, found by name, described as plain data.
+
+A plug-in is a module with a frozen dataclass `Params`, whose fields are made by `parameter`, and one
+function (`rank` or `probability`). Its name is the module's name. Strangers add modules through the
+entry points `firebreak_gis.ranking` and `firebreak_gis.spread`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+import importlib.metadata
+import importlib.util
+import inspect
+import math
+import pkgutil
+import typing
+from collections.abc import Mapping
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from firebreak_gis.errors import ParameterError
+
+#: The kinds of plug-in: package that holds them and the function each must have.
+KINDS: Mapping[str, tuple[str, str]] = {
+    "ranking": ("firebreak_gis.ranking", "rank"),
+    "spread": ("firebreak_gis.spread", "probability"),
+}
+
+
+def parameter(
+    default: Any,
+    *,
+    text: str,
+    units: str = "1",
+    minimum: float | None = None,
+    maximum: float | None = None,
+    open_maximum: bool = False,
+    choices: tuple[str, ...] | None = None,
+    raster: bool = False,
+    path: bool = False,
+) -> Any:
+    """Declare a field of a plug-in's `Params`.
+
+    Parameters
+    ----------
+    default
+        Default value; its type is the type of the parameter unless the annotation says more.
+    text
+        One line for help pages and forms.
+    units
+        Units of the value; "1" for none.
+    minimum, maximum
+        Closed range.
+    open_maximum
+        Whether `maximum` itself is excluded.
+    choices
+        Allowed words, for text parameters.
+    raster
+        Whether a raster on the grid of the network may stand in place of the number.
+    path
+        Whether the value names a file.
+    """
+    metadata = {"text": text, "units": units, "minimum": minimum, "maximum": maximum,
+                "open_maximum": open_maximum, "choices": choices, "raster": raster, "path": path}
+    return dataclasses.field(default=default, metadata=metadata)
+
+
+def names(kind: str) -> list[str]:
+    """Names of all plug-ins of a kind (`ranking` or `spread`), sorted."""
+    package = importlib.import_module(KINDS[kind][0])
+    own = {m.name for m in pkgutil.iter_modules(package.__path__) if not m.name.startswith("_")}
+    return sorted(own | set(_entry_points(kind)))
+
+
+def load(kind: str, name: str) -> ModuleType:
+    """Import the plug-in `name`.
+
+    Raises
+    ------
+    ParameterError
+        If there is none of that name, naming those that there are.
+    """
+    if name not in names(kind):
+        raise ParameterError(f"there is no {kind} method {name!r}; there are: {', '.join(names(kind))}")
+    entry_points = _entry_points(kind)
+    if name in entry_points:
+        module = entry_points[name].load()
+    else:
+        module = importlib.import_module(f"{KINDS[kind][0]}.{name}")
+    function = KINDS[kind][1]
+    if not callable(getattr(module, function, None)) or not dataclasses.is_dataclass(getattr(module, "Params", None)):
+        raise ParameterError(f"the {kind} method {name!r} lacks a function {function}() or a dataclass Params")
+    return typing.cast(ModuleType, module)
+
+
+def build_params(module: ModuleType, values: Mapping[str, Any]) -> Any:
+    """Make the `Params` of a plug-in from given values, texts included ("0.5", "true").
+
+    Raises
+    ------
+    ParameterError
+        Naming every unknown parameter and every value out of range.
+    """
+    name = module.__name__.rpartition(".")[2]
+    fields = {f.name: f for f in dataclasses.fields(module.Params)}
+    kinds = typing.get_type_hints(module.Params)
+    problems = [
+        f"{name} has no parameter {key!r} (it has: {', '.join(fields) or 'none'})" for key in values if key not in fields
+    ]
+    converted = {}
+    for key, value in values.items():
+        if key in fields:
+            try:
+                converted[key] = _convert(value, kinds[key], fields[key].metadata)
+            except ValueError as error:
+                problems.append(f"{name} parameter {key}: {error}")
+    if problems:
+        raise ParameterError("; ".join(problems))
+    return module.Params(**converted)
+
+
+def describe(kind: str, name: str) -> dict[str, Any]:
+    """Everything known of a plug-in, as plain data (JSON types)."""
+    module = load(kind, name)
+    doc = inspect.getdoc(module) or ""
+    parameters = []
+    for field in dataclasses.fields(module.Params):
+        entry = {"name": field.name, "default": field.default, "type": _type_name(field)}
+        entry.update({k: v for k, v in field.metadata.items() if v not in (None, False)})
+        parameters.append(entry)
+    return {"name": name, "kind": kind, "summary": doc.split("\n", 1)[0], "text": doc, "parameters": parameters}
+
+
+def _entry_points(kind: str) -> dict[str, importlib.metadata.EntryPoint]:
+    return {e.name: e for e in importlib.metadata.entry_points(group=KINDS[kind][0])}
+
+
+def _type_name(field: dataclasses.Field[Any]) -> str:
+    return type(field.default).__name__ if field.default is not None else "float"
+
+
+def _convert(value: Any, kind: Any, metadata: Mapping[str, Any]) -> Any:
+    options = [t for t in (typing.get_args(kind) or (kind,)) if t is not type(None)]
+    if value is None:
+        if type(None) in typing.get_args(kind):
+            return None
+        raise ValueError("got nothing, expected a value")
+    if metadata["raster"] and not isinstance(value, (str, int, float)):
+        return value
+    if bool in options:
+        return _to_bool(value)
+    if float in options or int in options:
+        return _to_number(value, whole=float not in options, metadata=metadata)
+    text = str(value)
+    if metadata["choices"] and text not in metadata["choices"]:
+        raise ValueError(f"got {text!r}, expected one of {', '.join(metadata['choices'])}")
+    return text
+
+
+def _to_bool(value: Any) -> bool:
+    words = {"true": True, "yes": True, "1": True, "false": False, "no": False, "0": False}
+    try:
+        return words[str(value).lower()]
+    except KeyError:
+        raise ValueError(f"got {value!r}, expected true or false") from None
+
+
+def _to_number(value: Any, *, whole: bool, metadata: Mapping[str, Any]) -> float | int:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"got {value!r}, expected a number") from None
+    if not math.isfinite(number):
+        raise ValueError(f"got {value!r}, expected a finite number")
+    if whole and number != np.floor(number):
+        raise ValueError(f"got {value!r}, expected a whole number")
+    low, high = metadata["minimum"], metadata["maximum"]
+    if low is not None and number < low:
+        raise ValueError(f"got {number:g}, expected at least {low:g}")
+    if high is not None and (number > high or (metadata["open_maximum"] and number == high)):
+        raise ValueError(f"got {number:g}, expected {'less than' if metadata['open_maximum'] else 'at most'} {high:g}")
+    return int(number) if whole else number

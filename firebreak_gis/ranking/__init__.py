@@ -1,0 +1,66 @@
+"""Rankings: one file a method, each giving one priority raster.
+
+A method file holds a frozen dataclass `Params` and
+
+    rank(network, params, *, seed, progress) -> (rows, cols) float64, higher is cut earlier
+
+and needs no registration: its file name is its name. Cells without fuel get -inf here, whatever the method
+returned for them. `rank` below is the only way in.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.errors import VerificationError
+from firebreak_gis.methods import build_params, load
+from firebreak_gis.progress import Progress, silent
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from firebreak_gis.network import SpreadNetwork
+
+
+def rank(
+    network: SpreadNetwork, method: str = "bonacich", *, seed: int = 0, progress: Progress | None = None, **params: Any
+) -> xr.DataArray:
+    """Rank the cells of a network by the order in which they should be cut.
+
+    Parameters
+    ----------
+    network
+        The spread network.
+    method
+        Name of a ranking (`firebreak methods` lists them).
+    seed
+        Seed of methods that draw.
+    progress
+        Callback (share done, message); raise `Cancelled` in it to stop.
+    **params
+        Parameters of the method, for example ``beta=0.5``.
+
+    Returns
+    -------
+    xarray.DataArray
+        `priority` (y, x) float64, higher is cut earlier, -inf where there is no fuel.
+
+    Raises
+    ------
+    ParameterError
+        If the method or a parameter is unknown or out of range.
+    """
+    module = load("ranking", method)
+    values = build_params(module, params)
+    scores = module.rank(network, values, seed=seed, progress=progress or silent)
+    priority = np.array(scores, dtype=np.float64)
+    if priority.shape != network.shape or np.isnan(priority[network.burnable]).any():
+        raise VerificationError(
+            f"ranking {method!r} returned shape {priority.shape} or NaN, expected {network.shape} without NaN"
+        )
+    priority[~network.burnable] = -np.inf
+    from firebreak_gis.schema import annotate
+
+    return annotate(network.grid.dataarray(priority, "priority")).assign_attrs(method=method)

@@ -1,0 +1,34 @@
+"""Most flammable cells first: the conventional policy, which looks at each cell alone.
+
+The score is the mean probability with which the cell is lit by its burnable neighbours. Cost: one pass.
+Source: the "conventional" baseline of Russo, Russo, Siettos 2016, doi 10.1371/journal.pone.0163226.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.lattice import OPPOSITE
+from firebreak_gis.network import neighbour
+
+if TYPE_CHECKING:
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.progress import Progress
+
+
+@dataclass(frozen=True)
+class Params:
+    """Flammability has no parameters."""
+
+
+def rank(network: SpreadNetwork, params: Params, *, seed: int, progress: Progress) -> np.ndarray:
+    """Return the mean probability of being lit, (rows, cols) float64; 0 without burnable neighbours."""
+    total = np.zeros(network.shape)
+    count = np.zeros(network.shape)
+    for d in range(8):
+        total += neighbour(network.probability[OPPOSITE[d]], d, network.boundary)
+        count += neighbour(network.burnable, d, network.boundary)
+    return np.divide(total, count, out=np.zeros(network.shape), where=count > 0)

@@ -1,0 +1,145 @@
+"""Every variable that passes between the stages: name, dims, dtype, units, range, meaning.
+
+`annotate` writes the CF attributes, `validate` collects every problem before it raises, and the
+raster writer takes units, nodata and colours from here, so a name never changes its unit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: Classes of `vegetation`; 0 holds no fuel.
+VEGETATION: Mapping[int, str] = MappingProxyType({0: "none", 1: "agricultural", 2: "shrubs", 3: "pines"})
+#: Classes of `density`; 0 where there is no fuel.
+DENSITY: Mapping[int, str] = MappingProxyType({0: "none", 1: "sparse", 2: "normal", 3: "dense"})
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One variable of the pipeline.
+
+    Parameters
+    ----------
+    name
+        Name in datasets and stem of the file.
+    dims
+        Dimension names.
+    dtype
+        numpy dtype name, in memory and on disk.
+    units
+        UDUNITS text; "1" for shares and classes.
+    text
+        What it is, in one line (`long_name`, band description).
+    minimum, maximum
+        Closed range of valid values, None where open.
+    nodata
+        Value for "no data" in files.
+    classes
+        Meaning of each code, for class variables.
+    colours
+        "#rrggbb" per class code, or a ramp (low to high) under keys 0, 1, 2, ... for continuous ones.
+    """
+
+    name: str
+    dims: tuple[str, ...]
+    dtype: str
+    units: str
+    text: str
+    minimum: float | None = None
+    maximum: float | None = None
+    nodata: float | None = None
+    classes: Mapping[int, str] = field(default_factory=dict)
+    colours: Mapping[int, str] = field(default_factory=dict)
+
+
+def _ramp(*colours: str) -> Mapping[int, str]:
+    return MappingProxyType(dict(enumerate(colours)))
+
+
+_VARIABLES = (
+    Variable("elevation", ("y", "x"), "float32", "m", "terrain elevation", -500.0, 9000.0, -9999.0,
+             colours=_ramp("#2d6a4f", "#95b46a", "#e9d8a6", "#b08968", "#f8f9fa")),
+    Variable("vegetation", ("y", "x"), "uint8", "1", "vegetation type", 0, 3, 255, VEGETATION,
+             MappingProxyType({0: "#d9d9d9", 1: "#e9d66b", 2: "#a3b18a", 3: "#2d6a4f"})),
+    Variable("density", ("y", "x"), "uint8", "1", "vegetation density", 0, 3, 255, DENSITY,
+             MappingProxyType({0: "#d9d9d9", 1: "#d8f3dc", 2: "#74c69d", 3: "#1b4332"})),
+    Variable("vegetation_effect", ("y", "x"), "float32", "1",
+             "effect of the vegetation type on spread, in place of the class", -1.0, None, -9999.0,
+             colours=_ramp("#f7fcf5", "#74c476", "#00441b")),
+    Variable("density_effect", ("y", "x"), "float32", "1",
+             "effect of the vegetation density on spread, in place of the class", -1.0, None, -9999.0,
+             colours=_ramp("#f7fcf5", "#74c476", "#00441b")),
+    Variable("burnable", ("y", "x"), "bool", "1", "cell holds fuel"),
+    Variable("spread_probability", ("direction", "y", "x"), "float32", "1",
+             "probability that fire spreads from the cell to its neighbour in this direction", 0.0, 1.0, -9999.0,
+             colours=_ramp("#ffffcc", "#fd8d3c", "#800026")),
+    Variable("priority", ("y", "x"), "float64", "1", "cutting priority, higher is cut earlier", None, None, -9999.0,
+             colours=_ramp("#fcfdbf", "#fe9f6d", "#de4968", "#8c2981", "#000004")),
+    Variable("breaks", ("y", "x"), "uint8", "1", "fire break", 0, 1, 255,
+             MappingProxyType({0: "untouched", 1: "fire break"}), MappingProxyType({0: "#00000000", 1: "#1f4fd8"})),
+    Variable("burn_count", ("y", "x"), "uint32", "1", "runs in which the cell burns", 0, None, 4294967295,
+             colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
+    Variable("burn_frequency", ("y", "x"), "float32", "1", "share of runs in which the cell burns", 0.0, 1.0, -9999.0,
+             colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
+    Variable("fire_size", ("run",), "int64", "1", "cells burnt in the run", 0),
+)
+
+#: All variables by name.
+VARIABLES: Mapping[str, Variable] = MappingProxyType({v.name: v for v in _VARIABLES})
+
+
+def annotate(data: xr.DataArray) -> xr.DataArray:
+    """Return `data` with `long_name`, `units` and class meanings as CF attributes.
+
+    Raises
+    ------
+    KeyError
+        If `data.name` is not a variable of the schema.
+    """
+    variable = VARIABLES[str(data.name)]
+    attrs: dict[str, object] = {"long_name": variable.text, "units": variable.units}
+    if variable.classes:
+        attrs["flag_values"] = np.array(list(variable.classes), dtype=variable.dtype)
+        attrs["flag_meanings"] = " ".join(text.replace(" ", "_") for text in variable.classes.values())
+    return data.assign_attrs(attrs)
+
+
+def validate(dataset: xr.Dataset, names: Iterable[str]) -> None:
+    """Check that `dataset` holds the named variables with the dims, dtype and range of the schema.
+
+    NaN counts as missing and passes. The values are looked at, so the cost is one pass over the data.
+
+    Raises
+    ------
+    InputError
+        Naming every problem found, not only the first.
+    """
+    problems = []
+    for name in names:
+        variable = VARIABLES[name]
+        if name not in dataset:
+            problems.append(f"{name} is missing (expected {variable.text}, dims {variable.dims})")
+            continue
+        data = dataset[name]
+        if data.dims != variable.dims:
+            problems.append(f"{name} has dims {data.dims}, expected {variable.dims}")
+        if data.dtype != np.dtype(variable.dtype):
+            problems.append(f"{name} has dtype {data.dtype}, expected {variable.dtype}")
+            continue
+        low, high = data.min(), data.max()
+        if variable.minimum is not None and float(low) < variable.minimum:
+            problems.append(f"{name} goes down to {float(low):g} {variable.units}, expected at least {variable.minimum:g}")
+        if variable.maximum is not None and float(high) > variable.maximum:
+            problems.append(f"{name} goes up to {float(high):g} {variable.units}, expected at most {variable.maximum:g}")
+    if problems:
+        raise InputError("the landscape is not usable: " + "; ".join(problems))
