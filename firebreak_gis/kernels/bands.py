@@ -1,0 +1,59 @@
+"""Threads over bands of rows.
+
+A band owns its rows: it alone writes them, and every row is computed in the same way in any band. Results
+are therefore the same bits for any number of threads. Kernels release the interpreter lock.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from types import TracebackType
+
+#: Fewer cells than this are not worth a second thread.
+SMALL = 20_000
+
+
+def available_threads() -> int:
+    """Processors that this process may use."""
+    try:
+        return len(os.sched_getaffinity(0))
+    except AttributeError:  # not on Windows and macOS
+        return os.cpu_count() or 1
+
+
+class Bands:
+    """Runs a kernel over the rows of a grid, one band a thread.
+
+    Parameters
+    ----------
+    shape
+        (rows, cols).
+    threads
+        Number of threads; None: as many as the process may use, one on a small grid.
+    """
+
+    def __init__(self, shape: tuple[int, int], threads: int | None = None) -> None:
+        rows, cols = shape
+        wanted = threads or (1 if rows * cols < SMALL else available_threads())
+        self.threads = max(1, min(wanted, rows))
+        self._edges = [rows * k // self.threads for k in range(self.threads + 1)]
+        self._pool = ThreadPoolExecutor(self.threads) if self.threads > 1 else None
+
+    def __enter__(self) -> Bands:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._pool is not None:
+            self._pool.shutdown()
+
+    def run(self, call: Callable[[int, int], object]) -> None:
+        """Call `call(first_row, stop_row)` for every band and wait."""
+        if self._pool is None:
+            call(self._edges[0], self._edges[-1])
+            return
+        for future in [self._pool.submit(call, a, b) for a, b in zip(self._edges, self._edges[1:], strict=False)]:
+            future.result()

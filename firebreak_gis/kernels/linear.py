@@ -1,0 +1,342 @@
+"""Linear algebra on the probability planes: y = A x and what follows from it, without a matrix.
+
+A is the adjacency matrix a_lk = p(l -> k). Row l of A x gathers x over the cells that l can light; row l of
+A^T x gathers over the cells that can light l. Both read the planes in place: 32 B of probability, 8 B of x
+and 8 B of y a cell, which is what limits them.
+
+The eight products of a cell are summed as ((N + S) + (E + W)) + ((NE + SW) + (SE + NW)). This grouping is
+its own image under every mirror and quarter turn, so the products of a mirrored network are the mirrored
+products to the last bit.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.kernels.bands import Bands
+from firebreak_gis.kernels.policy import kernel
+from firebreak_gis.lattice import COL_STEP, ROW_STEP
+from firebreak_gis.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+_ROW_STEP = ROW_STEP
+_COL_STEP = COL_STEP
+
+#: Above this beta the Neumann series is left for BiCGSTAB.
+KRYLOV_ABOVE = 0.95
+#: Products between two looks at the residual.
+_CHECK_EVERY = 8
+
+
+class Operator:
+    """A or its transpose on the planes of one network.
+
+    Parameters
+    ----------
+    probability
+        (8, rows, cols) float32, `probability[d, row, col]` from the cell to its neighbour in direction d;
+        0 on edges that leave an open grid.
+    boundary
+        `"open"` or `"periodic"` (then at least 3 rows and columns).
+    transpose
+        Whether to multiply by A^T.
+    threads
+        Number of threads; the result does not depend on it.
+    """
+
+    def __init__(
+        self, probability: np.ndarray, *, boundary: str = "open", transpose: bool = False, threads: int | None = None
+    ) -> None:
+        planes = np.ascontiguousarray(probability, dtype=np.float32).view()
+        planes.flags.writeable = False  # one compiled version for frozen and other arrays
+        self.probability = planes
+        self.periodic = boundary == "periodic"
+        self.transpose = transpose
+        self.shape: tuple[int, int] = (planes.shape[1], planes.shape[2])
+        self._bands = Bands(self.shape, threads)
+        self._by_row = np.empty(self.shape[0])
+
+    def __enter__(self) -> Operator:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._bands.__exit__(kind, error, trace)
+
+    def apply(self, x: np.ndarray, out: np.ndarray, *, shift: float = 0.0, scale: float = 1.0) -> np.ndarray:
+        """Write shift + scale * (A x) to `out`, both (rows, cols) float64 and not the same array."""
+        rows = _rows_in if self.transpose else _rows_out
+        self._bands.run(lambda a, b: rows(self.probability, x, out, shift, scale, self.periodic, a, b))
+        return out
+
+    def change(self, x: np.ndarray, y: np.ndarray) -> float:
+        """Largest |x - y|."""
+        self._bands.run(lambda a, b: _rows_change(x, y, self._by_row, a, b))
+        return float(self._by_row.max())
+
+    def dot(self, x: np.ndarray, y: np.ndarray) -> float:
+        """Sum of x * y, row by row in fixed order."""
+        self._bands.run(lambda a, b: _rows_dot(x, y, self._by_row, a, b))
+        return float(self._by_row.sum())
+
+    def combine(self, a: float, x: np.ndarray, b: float, y: np.ndarray, out: np.ndarray) -> np.ndarray:
+        """Write a * x + b * y to `out`, which may be x or y."""
+        self._bands.run(lambda first, stop: _rows_combine(a, x, b, y, out, first, stop))
+        return out
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Solution of a linear system and how good it is.
+
+    Parameters
+    ----------
+    values
+        (rows, cols) float64.
+    error
+        Largest relative error of any cell that the residual leaves possible.
+    products
+        Matrix-vector products used.
+    """
+
+    values: np.ndarray
+    error: float
+    products: int
+
+
+def degree(
+    probability: np.ndarray, *, boundary: str = "open", transpose: bool = False, threads: int | None = None
+) -> np.ndarray:
+    """Return A 1: the sum of probabilities out of (transposed: into) each cell, (rows, cols) float64."""
+    with Operator(probability, boundary=boundary, transpose=transpose, threads=threads) as operator:
+        return operator.apply(np.ones(operator.shape), np.empty(operator.shape))
+
+
+def katz(
+    probability: np.ndarray,
+    attenuation: float,
+    contraction: float,
+    *,
+    boundary: str = "open",
+    transpose: bool = False,
+    tolerance: float = 1e-10,
+    threads: int | None = None,
+    progress: Progress = silent,
+) -> Solution:
+    """Solve x = (I - c A)^-1 A 1 for an attenuation c below 1 / lambda_max.
+
+    With z = 1 + c x the system is z = 1 + c A z, whose right side is 1. The inverse has no negative entry, so
+    a residual of at most t in every cell bounds the error of every z, and of x = A z, by t relative to its true
+    value; this is how the work knows when to stop. Cost: log(tolerance) / log(contraction) products for the
+    Neumann series; fewer by BiCGSTAB, which takes over above `KRYLOV_ABOVE`. Memory: 2 (Neumann) or 7 (BiCGSTAB)
+    vectors of 8 B a cell.
+
+    Parameters
+    ----------
+    probability
+        (8, rows, cols) float32.
+    attenuation
+        c; 0 gives the degree.
+    contraction
+        c * lambda_max, in [0, 1): chooses the solver and paces the progress.
+    boundary, transpose, threads
+        As for `Operator`.
+    tolerance
+        Relative error allowed in any cell.
+    progress
+        Callback.
+    """
+    with Operator(probability, boundary=boundary, transpose=transpose, threads=threads) as operator:
+        if attenuation == 0.0:
+            return Solution(operator.apply(np.ones(operator.shape), np.empty(operator.shape)), 0.0, 1)
+        z = np.ones(operator.shape)
+        spare = np.empty(operator.shape)
+        products = 0
+        if contraction > KRYLOV_ABOVE:
+            products = _bicgstab(operator, attenuation, z, spare, tolerance, progress)
+        z, spare, error, more = _neumann(operator, attenuation, contraction, z, spare, tolerance, progress)
+        return Solution(operator.apply(z, spare), error, products + more + 1)
+
+
+def _neumann(
+    operator: Operator,
+    attenuation: float,
+    contraction: float,
+    z: np.ndarray,
+    spare: np.ndarray,
+    tolerance: float,
+    progress: Progress,
+) -> tuple[np.ndarray, np.ndarray, float, int]:
+    """Iterate z = 1 + c A z until the residual is below the tolerance or no longer falls."""
+    products, first, best, error = 0, math.nan, math.inf, math.inf
+    stalled = 0
+    while True:
+        for _ in range(_CHECK_EVERY):
+            operator.apply(z, spare, shift=1.0, scale=attenuation)
+            z, spare = spare, z
+        products += _CHECK_EVERY
+        # The step just made is the residual of `spare`; one more product contracts it.
+        error = operator.change(z, spare)
+        first = error if math.isnan(first) else first
+        if error <= tolerance or not math.isfinite(error):
+            return z, spare, error, products
+        # Rounding stops the fall near the unit roundoff times the largest z.
+        stalled = stalled + 1 if error > 0.999 * best and error < 1e-6 else 0
+        best = min(best, error)
+        if stalled > 4 * max(1.0, 1.0 / -math.log(min(max(contraction, 1e-3), 0.9999))):
+            return z, spare, error, products
+        done = math.log(max(first / error, 1.0)) / math.log(max(first / tolerance, 2.0))
+        progress(min(done, 0.99), f"relative error below {error:.1e}")
+
+
+def _bicgstab(
+    operator: Operator, attenuation: float, z: np.ndarray, spare: np.ndarray, tolerance: float, progress: Progress
+) -> int:
+    """Improve z in place by BiCGSTAB (van der Vorst 1992, doi 10.1137/0913035); returns the products used."""
+
+    def system(x: np.ndarray, out: np.ndarray) -> np.ndarray:
+        operator.apply(x, out, scale=-attenuation)
+        return operator.combine(1.0, x, 1.0, out, out)
+
+    zero = np.zeros(operator.shape)
+    residual = operator.combine(1.0, operator.apply(z, spare, shift=1.0, scale=attenuation), -1.0, z, spare.copy())
+    shadow = residual.copy()
+    direction, image, second = residual.copy(), np.empty_like(z), np.empty_like(z)
+    rho = operator.dot(shadow, residual)
+    start = best = operator.change(residual, zero)
+    products = 1
+    for step in range(2000):
+        if best <= 0.5 * tolerance or rho == 0.0:
+            break
+        along = operator.dot(shadow, system(direction, image))
+        if along == 0.0 or not math.isfinite(along):
+            break
+        alpha = rho / along
+        operator.combine(1.0, residual, -alpha, image, residual)
+        square = operator.dot(system(residual, second), second)
+        omega = operator.dot(second, residual) / square if square > 0.0 else 0.0
+        operator.combine(alpha, direction, omega, residual, spare)
+        size = operator.change(spare, zero)
+        if not math.isfinite(size):
+            break
+        operator.combine(1.0, z, 1.0, spare, z)
+        operator.combine(1.0, residual, -omega, second, residual)
+        products += 2
+        best = operator.change(residual, zero)
+        new_rho = operator.dot(shadow, residual)
+        if omega == 0.0 or not math.isfinite(best):
+            break
+        weight = new_rho / rho * (alpha / omega)
+        rho = new_rho
+        operator.combine(1.0, direction, -omega, image, direction)
+        operator.combine(1.0, residual, weight, direction, direction)
+        done = math.log(max(start / best, 1.0)) / math.log(max(start / tolerance, 2.0)) if best > 0.0 else 1.0
+        progress(min(done, 0.95), f"step {step + 1}, residual {best:.1e}")
+    return products
+
+
+@kernel
+def _cell(
+    probability: np.ndarray, x: np.ndarray, row: int, col: int, periodic: bool, transpose: bool
+) -> float:
+    """One row of A x (or A^T x) at the rim of the grid."""
+    rows, cols = x.shape
+    term = np.zeros(8)
+    for d in range(8):
+        # The cell that x is read from: the target of the edge, or its source if transposed.
+        r = row - _ROW_STEP[d] if transpose else row + _ROW_STEP[d]
+        c = col - _COL_STEP[d] if transpose else col + _COL_STEP[d]
+        if periodic:
+            r %= rows
+            c %= cols
+        if 0 <= r < rows and 0 <= c < cols:
+            p = probability[d, r, c] if transpose else probability[d, row, col]
+            term[d] = p * x[r, c]
+    return ((term[0] + term[4]) + (term[2] + term[6])) + ((term[1] + term[5]) + (term[3] + term[7]))
+
+
+@kernel
+def _rows_out(
+    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, scale: float, periodic: bool,
+    first: int, stop: int,
+) -> None:  # fmt: skip
+    rows, cols = x.shape
+    for row in range(first, stop):
+        if row == 0 or row == rows - 1 or cols < 3:
+            for col in range(cols):
+                y[row, col] = shift + scale * _cell(probability, x, row, col, periodic, False)
+            continue
+        # Rows as separate arrays: only so are the loops over columns vectorised.
+        n, ne, e, se = probability[0, row], probability[1, row], probability[2, row], probability[3, row]
+        s, sw, w, nw = probability[4, row], probability[5, row], probability[6, row], probability[7, row]
+        up, at, down, out = x[row - 1], x[row], x[row + 1], y[row]
+        for c in range(1, cols - 1):
+            sides = (n[c] * up[c] + s[c] * down[c]) + (e[c] * at[c + 1] + w[c] * at[c - 1])
+            corners = (ne[c] * up[c + 1] + sw[c] * down[c - 1]) + (se[c] * down[c + 1] + nw[c] * up[c - 1])
+            out[c] = shift + scale * (sides + corners)
+        out[0] = shift + scale * _cell(probability, x, row, 0, periodic, False)
+        out[cols - 1] = shift + scale * _cell(probability, x, row, cols - 1, periodic, False)
+
+
+@kernel
+def _rows_in(
+    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, scale: float, periodic: bool,
+    first: int, stop: int,
+) -> None:  # fmt: skip
+    rows, cols = x.shape
+    for row in range(first, stop):
+        if row == 0 or row == rows - 1 or cols < 3:
+            for col in range(cols):
+                y[row, col] = shift + scale * _cell(probability, x, row, col, periodic, True)
+            continue
+        n, ne, nw = probability[0, row + 1], probability[1, row + 1], probability[7, row + 1]
+        s, se, sw = probability[4, row - 1], probability[3, row - 1], probability[5, row - 1]
+        e, w = probability[2, row], probability[6, row]
+        up, at, down, out = x[row - 1], x[row], x[row + 1], y[row]
+        for c in range(1, cols - 1):
+            sides = (n[c] * down[c] + s[c] * up[c]) + (e[c - 1] * at[c - 1] + w[c + 1] * at[c + 1])
+            corners = (ne[c - 1] * down[c - 1] + sw[c + 1] * up[c + 1]) + (
+                se[c - 1] * up[c - 1] + nw[c + 1] * down[c + 1]
+            )
+            out[c] = shift + scale * (sides + corners)
+        out[0] = shift + scale * _cell(probability, x, row, 0, periodic, True)
+        out[cols - 1] = shift + scale * _cell(probability, x, row, cols - 1, periodic, True)
+
+
+@kernel
+def _rows_change(x: np.ndarray, y: np.ndarray, by_row: np.ndarray, first: int, stop: int) -> None:
+    for row in range(first, stop):
+        a, b = x[row], y[row]
+        largest = 0.0
+        for c in range(a.size):
+            step = abs(a[c] - b[c])
+            if not step <= largest:
+                largest = step if step == step else np.inf
+        by_row[row] = largest
+
+
+@kernel
+def _rows_dot(x: np.ndarray, y: np.ndarray, by_row: np.ndarray, first: int, stop: int) -> None:
+    for row in range(first, stop):
+        a, b = x[row], y[row]
+        total = 0.0
+        for c in range(a.size):
+            total += a[c] * b[c]
+        by_row[row] = total
+
+
+@kernel
+def _rows_combine(
+    a: float, x: np.ndarray, b: float, y: np.ndarray, out: np.ndarray, first: int, stop: int
+) -> None:
+    for row in range(first, stop):
+        u, v, o = x[row], y[row], out[row]
+        for c in range(u.size):
+            o[c] = a * u[c] + b * v[c]

@@ -1,0 +1,58 @@
+"""Bonacich power centrality: cells through which fire reaches cells that are easily reached themselves.
+
+x = (I - beta / lambda_max A)^-1 A 1, where a_lk is the probability that l lights k and lambda_max is the largest
+eigenvalue of A. beta sets how far a cell looks: 0 is the degree, towards 1 the eigenvector. `in` uses A transposed
+(how fire arrives; the orientation of the paper), `out` uses A (how fire leaves).
+
+lambda_max is enclosed between two bounds and the solution is accurate to 1e-10 in every cell. A network of several
+islands has one lambda_max, that of the strongest. A network without cycles has lambda_max = 0: the formula has no
+value there and the degree is returned. Cost: a few products with A for lambda_max, then about 23 / -ln(beta)
+products of 1-2 ns a cell each; memory about 64 B a cell. Ties fall to the cell first in (row, col).
+Source: Bonacich 1987, doi 10.1086/228631; Russo, Russo, Siettos 2016, doi 10.1371/journal.pone.0163226.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from firebreak_gis.methods import parameter
+from firebreak_gis.progress import part
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.progress import Progress
+
+
+@dataclass(frozen=True)
+class Params:
+    """Parameters of the Bonacich centrality."""
+
+    beta: float = parameter(
+        0.5, text="how far a cell looks: 0 is the degree, towards 1 the eigenvector", minimum=0.0, maximum=1.0,
+        open_maximum=True,
+    )  # fmt: skip
+    orientation: str = parameter(
+        "in", text="whether fire arriving at the cell (in) or leaving it (out) counts", choices=("in", "out")
+    )
+
+
+def rank(network: SpreadNetwork, params: Params, *, seed: int, progress: Progress) -> np.ndarray:  # noqa: ARG001
+    """Return the Bonacich centrality, (rows, cols) float64."""
+    from firebreak_gis.kernels.linear import katz
+    from firebreak_gis.kernels.spectrum import spectral_radius
+
+    attenuation = 0.0
+    if params.beta > 0.0:
+        radius = spectral_radius(
+            network.probability, boundary=network.boundary, progress=part(progress, 0.0, 0.5)
+        ).upper
+        attenuation = params.beta / radius if radius > 0.0 else 0.0
+    solution = katz(
+        network.probability, attenuation, params.beta, boundary=network.boundary,
+        transpose=params.orientation == "in", progress=part(progress, 0.5, 1.0),
+    )  # fmt: skip
+    progress(1.0, f"Bonacich done, relative error below {solution.error:.1e}")
+    return solution.values
