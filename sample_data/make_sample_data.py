@@ -398,7 +398,8 @@ def trace_river(terrain: Terrain) -> np.ndarray:
 
 def travel_graph(terrain: Terrain, river: np.ndarray) -> sparse.csr_array:
     """Cost of going from land cell to land cell; steep climbs and bridges cost most."""
-    index = np.arange(ROWS * COLS).reshape(ROWS, COLS)
+    # Older scipy routes only over 32 bit indices.
+    index = np.arange(ROWS * COLS, dtype=np.int32).reshape(ROWS, COLS)
     starts, ends, costs = [], [], []
     for row, col in NEIGHBOURS:
         here = np.s_[max(-row, 0) : ROWS - max(row, 0), max(-col, 0) : COLS - max(col, 0)]
