@@ -1,0 +1,319 @@
+"""Opening rasters: what a file says of itself, and a sentence for every file that cannot be used."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import os
+import re
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from affine import Affine
+
+from firebreak_gis.errors import CRSError, GridError, InputError
+from firebreak_gis.grid import Grid, parse_crs
+from firebreak_gis.projections import horizontal, require_plausible, vertical_factor
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from pyproj import CRS
+
+#: Drivers' names for layers inside a file (`NETCDF:"a.nc":dem`), and addresses of the net or of archives.
+_SUBDATASET = re.compile(r"^[A-Za-z0-9_]{2,}:(?!//)")
+_REMOTE = re.compile(r"^(/vsi|[A-Za-z0-9+.-]{2,}://)")
+
+
+@dataclass(frozen=True)
+class Header:
+    """What is known of one band before its values are read.
+
+    Parameters
+    ----------
+    path
+        Where it is, for messages and for opening it; "an array" for data in memory.
+    band
+        Band number, from 1.
+    shape, transform, crs
+        Its grid; any affine transform, `crs` horizontal, None if missing.
+    dtype
+        numpy dtype name as stored.
+    nodata
+        Values that stand for "no data".
+    masked
+        Whether a mask or alpha band tells where data is.
+    scale, offset
+        Stored value times `scale` plus `offset` is the value.
+    units
+        Unit text of the band, may be empty.
+    vertical
+        Metres per vertical unit if the CRS says so, else None.
+    palette
+        Whether the values index a colour table.
+    located_by
+        "gcp" or "rpc" if only control points or a camera model say where it lies.
+    tags
+        Metadata of the file.
+    notes
+        Sentences on what was ignored.
+    array
+        The values, for data in memory.
+    """
+
+    path: str
+    band: int
+    shape: tuple[int, int]
+    transform: Affine
+    crs: CRS | None
+    dtype: str
+    nodata: tuple[float, ...] = ()
+    masked: bool = False
+    scale: float = 1.0
+    offset: float = 0.0
+    units: str = ""
+    vertical: float | None = None
+    palette: bool = False
+    located_by: str = ""
+    tags: Mapping[str, str] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+    array: np.ndarray | None = None
+
+    @property
+    def north_up(self) -> bool:
+        """Whether rows run south and columns east, without rotation."""
+        t = self.transform
+        return bool(t.b == 0 and t.d == 0 and t.a > 0 and t.e < 0)
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """(left, bottom, right, top) of the footprint, in CRS units."""
+        rows, cols = self.shape
+        x, y = self.transform @ (np.array([0, cols, 0, cols]), np.array([0, 0, rows, rows]))
+        return float(x.min()), float(y.min()), float(x.max()), float(y.max())
+
+    @property
+    def grid(self) -> Grid:
+        """The grid, for north-up rasters."""
+        return Grid(self.shape, self.transform, self.crs)
+
+
+@contextlib.contextmanager
+def open_raster(path: str | os.PathLike[str], *, remote: bool = False) -> Iterator[Any]:
+    """Open a raster for reading with rasterio.
+
+    Raises
+    ------
+    InputError
+        If it is missing, a folder, empty, a text, remote (unless `remote`), or not a raster.
+    """
+    import rasterio
+    from rasterio.errors import NotGeoreferencedWarning, RasterioError
+
+    name = os.fspath(path)
+    _look_first(name, remote)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", NotGeoreferencedWarning)
+        try:
+            source = rasterio.open(name)
+        except (RasterioError, OSError) as error:
+            raise InputError(f"{name} cannot be read as a raster: {_short(error, name)}; is it complete and of a format "
+                             "that GDAL reads?") from error
+    with source:
+        if source.driver == "VRT" and not name.lower().endswith(".vrt") and not name.lstrip().startswith("<"):
+            raise InputError(f"{name} is a virtual raster (VRT) under another name; name it .vrt if that is what you mean")
+        yield source
+
+
+def read_header(
+    path: str | os.PathLike[str],
+    *,
+    band: int | None = None,
+    src_nodata: float | Sequence[float] | None = None,
+    remote: bool = False,
+) -> Header:
+    """Read what a raster file says of one band.
+
+    Parameters
+    ----------
+    path
+        Any raster that GDAL reads; a layer inside a file as GDAL writes it, `NETCDF:"a.nc":dem`.
+    band
+        Band number from 1; needed when there are several data bands.
+    src_nodata
+        Value or values that mean "no data", instead of what the file says.
+    remote
+        Whether network addresses and paths into archives are allowed.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be used, or it is not clear which band is meant.
+    """
+    with open_raster(path, remote=remote) as source:
+        name = os.fspath(path)
+        number = _choose_band(source, name, band)
+        dtype = source.dtypes[number - 1]
+        if np.dtype(dtype).kind not in "iufb":
+            raise InputError(f"{name} holds {dtype} values, expected real numbers; extract one part of them first")
+        full, crs = _crs_of(source)
+        flags = {flag.name for flag in source.mask_flag_enums[number - 1]}
+        declared = source.nodatavals[number - 1]
+        nodata = (() if declared is None else (declared,)) if src_nodata is None else _as_tuple(src_nodata)
+        usable, notes = usable_nodata(nodata, dtype)
+        return Header(
+            path=name, band=number, shape=(source.height, source.width), transform=source.transform, crs=crs,
+            dtype=dtype, nodata=usable, masked=src_nodata is None and "per_dataset" in flags,
+            scale=float(source.scales[number - 1]), offset=float(source.offsets[number - 1]),
+            units=source.units[number - 1] or "", vertical=None if full is None else vertical_factor(full),
+            palette=source.colorinterp[number - 1].name == "palette", located_by=_located_by(source),
+            tags=dict(source.tags()), notes=notes,
+        )
+
+
+def header_of_array(
+    data: xr.DataArray, *, src_nodata: float | Sequence[float] | None = None
+) -> Header:
+    """Return the header of an array in memory, with CRS as rioxarray keeps it.
+
+    Raises
+    ------
+    InputError
+        If it has more than one band or no real numbers.
+    """
+    extra = [dim for dim in data.dims if dim not in ("y", "x")]
+    name = f"the array {data.name!r}" if data.name else "the array"
+    if any(data.sizes[dim] != 1 for dim in extra):
+        raise InputError(f"{name} has dimensions {tuple(data.dims)}, expected (y, x); select one band first")
+    flat = data.squeeze(extra, drop=True).transpose("y", "x") if {"y", "x"} <= set(data.dims) else data
+    grid = Grid.of(flat)
+    if flat.dtype.kind not in "iufb":
+        raise InputError(f"{name} holds {flat.dtype} values, expected real numbers")
+    told = [data.attrs.get("_FillValue"), data.encoding.get("_FillValue")]
+    nodata = [v for v in told if v is not None][:1] if src_nodata is None else _as_tuple(src_nodata)
+    usable, notes = usable_nodata([float(v) for v in nodata], str(flat.dtype))
+    return Header(
+        path=name, band=1, shape=grid.shape, transform=grid.transform,
+        crs=None if grid.crs is None else horizontal(grid.crs), dtype=str(flat.dtype), nodata=usable,
+        scale=float(data.attrs.get("scale_factor", 1.0)), offset=float(data.attrs.get("add_offset", 0.0)),
+        units=str(data.attrs.get("units", "")), vertical=None if grid.crs is None else vertical_factor(grid.crs),
+        notes=notes, array=flat.to_numpy(),
+    )
+
+
+def require_georeferenced(header: Header) -> CRS:
+    """Return the CRS of a raster that says where on the Earth it lies.
+
+    Raises
+    ------
+    CRSError, GridError
+        If CRS or transform are missing or cannot be true; the text says which command helps.
+    """
+    where = header.path
+    if header.transform.is_identity:
+        help_ = {
+            "gcp": "it only has ground control points: gdalwarp -t_srs EPSG:32635 in.tif out.tif",
+            "rpc": "it only has a camera model (RPC): gdalwarp -rpc -t_srs EPSG:32635 in.tif out.tif",
+        }.get(header.located_by, "gdal_translate -a_srs EPSG:32635 -a_ullr LEFT TOP RIGHT BOTTOM in.tif out.tif")
+        raise GridError(f"{where} does not say where its cells lie (no transform); {help_}")
+    if header.crs is None:
+        raise CRSError(
+            f"{where} has no coordinate reference system; assign the one it was made in, e.g. "
+            "gdal_translate -a_srs EPSG:32635 in.tif out.tif"
+        )
+    if abs(header.transform.determinant) == 0 or not all(math.isfinite(v) for v in header.transform[:6]):
+        raise GridError(f"{where} has cells without area (transform {tuple(header.transform[:6])}); its georeference is broken")
+    require_plausible(header.crs, header.bounds, where)
+    return header.crs
+
+
+def usable_nodata(values: Sequence[float], dtype: str) -> tuple[tuple[float, ...], tuple[str, ...]]:
+    """Split off "no data" values that the data type cannot hold; return the usable ones and the notes."""
+    kind = np.dtype(dtype)
+    usable, notes = [], []
+    for value in values:
+        if kind.kind in "iu":
+            limits = np.iinfo(kind)
+            fits = math.isfinite(value) and value == int(value) and limits.min <= value <= limits.max
+        else:
+            fits = True
+        if fits:
+            usable.append(float(value))
+        elif not math.isnan(value):
+            notes.append(f"the no-data value {value:g} does not fit the data type {dtype} and was ignored")
+    return tuple(usable), tuple(notes)
+
+
+def _as_tuple(value: float | Sequence[float]) -> tuple[float, ...]:
+    return tuple(float(v) for v in value) if isinstance(value, Sequence) else (float(value),)
+
+
+def _look_first(name: str, remote: bool) -> None:
+    """Answer what GDAL would answer badly: addresses, folders, missing, empty and text files."""
+    if _REMOTE.match(name):
+        if not remote:
+            raise InputError(f"{name} is a network or archive address; download or unpack it first (or allow it: --remote)")
+        return
+    if _SUBDATASET.match(name):
+        return
+    path = Path(name)
+    try:
+        if path.is_dir():
+            raise InputError(f"{name} is a folder, expected a raster file in it")
+        if not path.exists():
+            raise InputError(f"{name} does not exist; check the name and the folder {path.absolute().parent}")
+        with path.open("rb") as stream:
+            start = stream.read(512)
+    except OSError as error:
+        raise InputError(f"{name} cannot be opened: {error.strerror or error}") from error
+    if not start:
+        raise InputError(f"{name} is empty (0 bytes); copy or export it again")
+    if start.startswith(b"version https://git-lfs"):
+        raise InputError(f"{name} is a Git LFS pointer, a text in place of the file; fetch it with: git lfs pull")
+    if start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") and path.suffix.lower() != ".vrt":
+        raise InputError(f"{name} is an XML or HTML text, not a raster; was it downloaded from a page that asks to log in?")
+
+
+def _choose_band(source: Any, name: str, band: int | None) -> int:
+    if source.count == 0 or (source.subdatasets and band is None):
+        inside = ", ".join(source.subdatasets[:4]) or "nothing"
+        raise InputError(f"{name} holds several rasters, choose one by its full name: {inside}")
+    if band is not None:
+        if not 1 <= band <= source.count:
+            raise InputError(f"{name} has no band {band}, it has bands 1 to {source.count}")
+        return band
+    colours = [colour.name for colour in source.colorinterp]
+    data = [i for i, colour in enumerate(colours, start=1) if colour != "alpha"]
+    if len(data) == 1:
+        return data[0]
+    if {"red", "green", "blue"} <= set(colours) or {"cyan", "magenta", "yellow"} <= set(colours):
+        raise InputError(f"{name} is a colour picture of a map, not a map of values; use the raster it was drawn from")
+    raise InputError(f"{name} has {source.count} bands; choose one (--bidx, or band=)")
+
+
+def _crs_of(source: Any) -> tuple[CRS | None, CRS | None]:
+    """Return the full and the horizontal CRS; what cannot be read counts as missing."""
+    if source.crs is None:
+        return None, None
+    full = parse_crs(source.crs.to_wkt())
+    flat = horizontal(full)
+    # GeoTIFF keeps the code, not the text; taking the text of the code makes equal systems compare equal.
+    epsg = flat.to_epsg(min_confidence=100)
+    return full, parse_crs(epsg) if epsg else flat
+
+
+def _located_by(source: Any) -> str:
+    """What else than a transform ties the raster to the ground: "gcp", "rpc" or ""."""
+    if not source.transform.is_identity:
+        return ""
+    if source.gcps[0]:
+        return "gcp"
+    return "rpc" if source.rpcs is not None else ""
+
+
+def _short(error: BaseException, name: str) -> str:
+    text = str(error).replace(name, "the file").replace("\n", " ")
+    return text[:160].rstrip(". ")

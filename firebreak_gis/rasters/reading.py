@@ -1,0 +1,290 @@
+"""Reading values: "no data", scales and sentinels are settled here, once."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.errors import GridError, InputError
+from firebreak_gis.grid import Grid
+from firebreak_gis.lattice import DIRECTIONS
+from firebreak_gis.rasters.header import Header, open_raster, read_header, require_georeferenced
+from firebreak_gis.schema import VARIABLES, Variable
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: Numbers that programs write for "no data" without saying so; below the last one all are.
+SENTINELS = (-9999.0, -99999.0, -32768.0, -32767.0, 32767.0, 65535.0, 1e20)
+LOWEST_VALUE = -1e30
+
+#: Row and column of the first cell, then rows and columns.
+Window = tuple[int, int, int, int]
+
+
+@dataclass(frozen=True)
+class Cells:
+    """Values of a window, and which of them are data.
+
+    Parameters
+    ----------
+    values
+        (rows, cols); meaningless where not `valid`.
+    valid
+        (rows, cols) bool.
+    notes
+        Sentences on what was done, for the record.
+    """
+
+    values: np.ndarray
+    valid: np.ndarray
+    notes: tuple[str, ...] = ()
+
+
+def read_cells(header: Header, window: Window | None = None, *, strict: bool = False, sentinels: bool = True) -> Cells:
+    """Read one band, settle "no data", apply scale and offset.
+
+    Parameters
+    ----------
+    header
+        From `read_header` or `header_of_array`.
+    window
+        Part to read; all by default. Must lie inside the raster.
+    strict
+        Refuse an undeclared "no data" value instead of masking it.
+    sentinels
+        Whether to look for undeclared "no data" values (not sensible for class codes).
+
+    Raises
+    ------
+    InputError
+        If the file is damaged, holds infinite values, or (`strict`) undeclared "no data".
+    """
+    window = window or (0, 0, *header.shape)
+    values, valid = _stored(header, window)
+    notes = list(header.notes)
+    for value in header.nodata:
+        valid &= ~_is_value(values, value)
+    if values.dtype.kind == "f":
+        valid &= ~np.isnan(values)
+    if sentinels and not header.nodata and not header.masked:
+        found = undeclared_nodata(values, valid)
+        if found:
+            text = ", ".join(f"{v:g}" for v in found)
+            if strict:
+                raise InputError(f"{header.path} uses {text} as no data without declaring it; "
+                                 f"declare it: gdal_edit.py -a_nodata {found[0]:g} FILE (or --src-nodata)")
+            notes.append(f"{text} is not declared as no data but stands for it; taken as no data")
+            for value in found:
+                valid &= ~_is_value(values, value)
+    infinite = int(np.count_nonzero(np.isinf(values) & valid)) if values.dtype.kind == "f" else 0
+    if infinite:
+        raise InputError(f"{header.path} holds infinite values in {infinite} cells; repair them or declare them as no data "
+                         "(--src-nodata)")
+    if header.scale != 1 or header.offset != 0:
+        values = values.astype(np.float64) * header.scale + header.offset
+        notes.append(f"stored numbers were multiplied by {header.scale:g} and {header.offset:g} was added, as the file says")
+    return Cells(values, valid, tuple(notes))
+
+
+def read_raster(
+    path: str | os.PathLike[str],
+    *,
+    band: int | None = None,
+    src_nodata: float | Sequence[float] | None = None,
+    strict: bool = False,
+    remote: bool = False,
+) -> xr.DataArray:
+    """Read one band of any north-up (or south-up) raster with CRS.
+
+    Integers without missing cells keep their type; otherwise the values are floats with NaN for "no
+    data" (float32 stays float32). South-up rasters are turned.
+
+    Parameters
+    ----------
+    path
+        Any raster that GDAL reads.
+    band
+        Band number from 1; needed when there are several data bands.
+    src_nodata
+        Value or values that mean "no data", instead of what the file says.
+    strict
+        Refuse undeclared "no data" values; otherwise they are masked and noted in `attrs["notes"]`.
+    remote
+        Whether network addresses and paths into archives are allowed.
+
+    Returns
+    -------
+    xarray.DataArray
+        Dims (y, x), CRS in `spatial_ref`; `attrs["notes"]` lists what was done.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be used; `CRSError`, `GridError` if it does not say where it lies or is rotated.
+    """
+    header = read_header(path, band=band, src_nodata=src_nodata, remote=remote)
+    require_georeferenced(header)
+    cells = read_cells(header, strict=strict)
+    grid, values, valid = _north_up(header, cells.values, cells.valid)
+    if not valid.any():
+        raise InputError(f"{header.path} holds no data in any cell")
+    if not valid.all():
+        exact = np.float32 if values.dtype in (np.float32, np.float16, np.int8, np.uint8, np.int16, np.uint16) else np.float64
+        values = np.where(valid, values, np.nan).astype(exact)
+    return grid.dataarray(values, "raster", units=header.units, notes=list(cells.notes))
+
+
+def read_variable(path: str | os.PathLike[str], name: str, *, remote: bool = False) -> xr.DataArray:
+    """Read a raster as a variable of the schema, own output or brought along.
+
+    Floats have NaN for "no data", `priority` -inf, classes and counts 0 ("none").
+
+    Parameters
+    ----------
+    path
+        Raster with the right number of bands: 8 for variables with a direction, ordered
+        N NE E SE S SW W NW, 1 otherwise.
+    name
+        Name in `schema.VARIABLES`, for example "spread_probability".
+    remote
+        As in `read_raster`.
+
+    Returns
+    -------
+    xarray.DataArray
+        Dims and dtype of the schema; `attrs["provenance"]` as written by `write_raster`.
+
+    Raises
+    ------
+    InputError
+        If bands, order of directions, CRS, values or range do not fit the variable.
+    """
+    variable = VARIABLES[name]
+    bands = _require_bands(path, variable, remote)
+    headers = [read_header(path, band=band, remote=remote) for band in range(1, bands + 1)]
+    require_georeferenced(headers[0])
+    grid, planes = None, []
+    for header in headers:
+        cells = read_cells(header, sentinels=False)
+        grid, values, valid = _north_up(header, cells.values, cells.valid)
+        planes.append(_as_variable(values, valid, variable, header.path))
+    assert grid is not None
+    array = planes[0] if variable.dims[0] != "direction" else np.stack(planes)
+    data = grid.dataarray(array, name, long_name=variable.text, units=variable.units)
+    provenance = {key[len(TAG) :].lower(): value for key, value in headers[0].tags.items() if key.startswith(TAG)}
+    return data.assign_attrs(provenance=provenance) if provenance else data
+
+
+#: Provenance tags in files begin with this.
+TAG = "FIREBREAK_"
+
+
+def undeclared_nodata(values: np.ndarray, valid: np.ndarray) -> list[float]:
+    """Return well-known "no data" numbers that stand far off all other valid values.
+
+    A number counts when it is the least or greatest value and its gap to the rest is wider than the
+    range of the rest: -9999 among elevations of 0 to 2500 does, -9999 among -12000 to 500 does not.
+    """
+    found: list[float] = []
+    rest = values[valid]
+    for _ in range(2):
+        if rest.size == 0:
+            break
+        for extreme in (float(rest.min()), float(rest.max())):
+            if extreme not in SENTINELS and extreme > LOWEST_VALUE:
+                continue
+            others = rest[rest != extreme]
+            if others.size == 0:
+                continue
+            low, high = float(others.min()), float(others.max())
+            gap = low - extreme if extreme < low else extreme - high
+            if gap > high - low or extreme <= LOWEST_VALUE:
+                found.append(extreme)
+                rest = others
+                break
+    return found
+
+
+def _stored(header: Header, window: Window) -> tuple[np.ndarray, np.ndarray]:
+    row, col, rows, cols = window
+    if header.array is not None:
+        part = header.array[row : row + rows, col : col + cols]
+        return part.copy(), np.ones(part.shape, dtype=bool)
+    from rasterio.errors import NotGeoreferencedWarning, RasterioError
+    from rasterio.windows import Window as FileWindow
+
+    where = FileWindow(col, row, cols, rows)
+    # Opened before already; the address was allowed then.
+    with open_raster(header.path, remote=True) as source, warnings.catch_warnings():
+        warnings.simplefilter("ignore", NotGeoreferencedWarning)
+        try:
+            values = source.read(header.band, window=where)
+            valid = source.read_masks(header.band, window=where) != 0 if header.masked else np.ones(values.shape, dtype=bool)
+        except (RasterioError, OSError) as error:
+            raise InputError(f"{header.path} is damaged or cut off: its values cannot be read; copy or export it again") from error
+    return values, valid
+
+
+def _is_value(values: np.ndarray, value: float) -> np.ndarray:
+    if np.isnan(value):
+        return np.isnan(values) if values.dtype.kind == "f" else np.zeros(values.shape, dtype=bool)
+    if values.dtype.kind == "f":
+        # -3.4e38 is written with different roundings by different programs.
+        if abs(value) > 1e30:
+            return np.abs(values / value - 1) < 1e-5
+        return np.asarray(values == values.dtype.type(value))
+    return np.asarray(values == int(value))
+
+
+def _north_up(header: Header, values: np.ndarray, valid: np.ndarray) -> tuple[Grid, np.ndarray, np.ndarray]:
+    from affine import Affine
+
+    t = header.transform
+    if t.b != 0 or t.d != 0:
+        raise GridError(f"{header.path} is rotated; turn it first: gdalwarp in.tif out.tif")
+    rows, cols = header.shape
+    if t.a < 0:
+        values, valid = values[:, ::-1], valid[:, ::-1]
+    if t.e > 0:
+        values, valid = values[::-1], valid[::-1]
+    left, _, _, top = header.bounds
+    grid = Grid((rows, cols), Affine(abs(t.a), 0.0, left, 0.0, -abs(t.e), top), header.crs)
+    return grid, np.ascontiguousarray(values), np.ascontiguousarray(valid)
+
+
+def _require_bands(path: str | os.PathLike[str], variable: Variable, remote: bool) -> int:
+    name = os.fspath(path)
+    expected = len(DIRECTIONS) if variable.dims[0] == "direction" else 1
+    if variable.dims[-2:] != ("y", "x"):
+        raise InputError(f"{variable.name} is a table, not a raster; it is written as CSV")
+    with open_raster(path, remote=remote) as source:
+        if source.count != expected:
+            more = f" in the order {' '.join(DIRECTIONS)}" if expected > 1 else ""
+            raise InputError(f"{name} has {source.count} bands, expected {expected}{more} for {variable.name} ({variable.text})")
+        told = [str(text).split(":")[0].strip().upper() if text else "" for text in source.descriptions]
+    if expected > 1 and set(told) == set(DIRECTIONS) and tuple(told) != DIRECTIONS:
+        raise InputError(f"{name} has its bands in the order {' '.join(told)}, expected {' '.join(DIRECTIONS)}; "
+                         "reorder them, e.g. with gdal_translate -b")
+    return expected
+
+
+def _as_variable(values: np.ndarray, valid: np.ndarray, variable: Variable, path: str) -> np.ndarray:
+    """Bring one band to the type of the variable; refuse what does not fit."""
+    inside = values[valid]
+    if variable.minimum is not None and inside.size and (low := float(inside.min())) < variable.minimum:
+        raise InputError(f"{path} goes down to {low:g}, expected at least {variable.minimum:g} for {variable.name}")
+    if variable.maximum is not None and inside.size and (high := float(inside.max())) > variable.maximum:
+        raise InputError(f"{path} goes up to {high:g}, expected at most {variable.maximum:g} for {variable.name}")
+    kind = np.dtype(variable.dtype)
+    if kind.kind == "f":
+        missing: Any = -np.inf if variable.name == "priority" else np.nan
+        return np.where(valid, values, missing).astype(kind)
+    if values.dtype.kind == "f" and not np.array_equal(inside, np.round(inside)):
+        raise InputError(f"{path} holds fractions, expected whole numbers for {variable.name} ({variable.text})")
+    return np.where(valid, values, 0).astype(kind)

@@ -1,0 +1,217 @@
+"""Writing rasters: cloud-optimised GeoTIFF, with everything a reader needs inside, verified."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.errors import FirebreakError, InputError, OutputError, VerificationError
+from firebreak_gis.files import replacing, require_writable, write_text
+from firebreak_gis.grid import Grid
+from firebreak_gis.lattice import DIRECTIONS
+from firebreak_gis.rasters.header import open_raster
+from firebreak_gis.rasters.reading import TAG
+from firebreak_gis.schema import VARIABLES, Variable
+from firebreak_gis.styles import qml, rgba
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: Files that GDAL keeps beside a raster; those of an overwritten raster would describe the old one.
+SIDECARS = (".aux.xml", ".ovr", ".msk")
+
+
+def write_raster(
+    path: str | os.PathLike[str],
+    data: xr.DataArray,
+    *,
+    overwrite: bool = False,
+    provenance: Mapping[str, Any] | None = None,
+    creation_options: Mapping[str, Any] | None = None,
+    forbid: Iterable[str | os.PathLike[str]] = (),
+) -> Path:
+    """Write a variable of the schema as a cloud-optimised GeoTIFF, and its QGIS style beside it.
+
+    "No data", units, texts and colours come from the schema. No date is stored: equal data give
+    equal bytes. The file is read back and compared before it takes its place.
+
+    Parameters
+    ----------
+    path
+        Target, usually named .tif.
+    data
+        Named as in `schema.VARIABLES`, with its dims, on a `Grid`. NaN is written as "no data", and so
+        is -inf in `priority`.
+    overwrite
+        Whether an existing file may be replaced.
+    provenance
+        Software, version, parameters hash, seed, ...; kept as tags, read back by `read_variable`.
+    creation_options
+        More options of the GDAL driver COG, for example {"compress": "zstd"}.
+    forbid
+        Input files, none of which may be the target.
+
+    Returns
+    -------
+    pathlib.Path
+        The file written.
+
+    Raises
+    ------
+    InputError
+        If `data` does not fit the schema.
+    OutputError
+        If the file cannot be written.
+    VerificationError
+        If what was written does not read back the same.
+    """
+    variable = _variable_of(data)
+    grid = Grid.of(data)
+    values = _stored_values(data.to_numpy(), variable)
+    planes = values if values.ndim == 3 else values[np.newaxis]
+    options = {"blocksize": 256, **_lower(creation_options or {})}
+    with replacing(
+        path, overwrite=overwrite, forbid=forbid, verify=lambda part: _verify(part, planes, grid, variable)
+    ) as part:
+        _write(part, planes, grid, variable, provenance or {}, options)
+    place = Path(path)
+    for suffix in SIDECARS:
+        place.with_name(place.name + suffix).unlink(missing_ok=True)
+    _write_style(place, values, variable, overwrite)
+    return place
+
+
+def _variable_of(data: xr.DataArray) -> Variable:
+    variable = VARIABLES.get(str(data.name))
+    if variable is None:
+        raise InputError(f"{data.name!r} is not a variable of the schema; expected one of {', '.join(VARIABLES)}")
+    if data.dims != variable.dims or variable.dims[-2:] != ("y", "x"):
+        raise InputError(f"{variable.name} has dims {data.dims}, expected {variable.dims} with y and x last")
+    if variable.dims[0] == "direction" and data.sizes["direction"] != len(DIRECTIONS):
+        raise InputError(f"{variable.name} has {data.sizes['direction']} directions, expected {len(DIRECTIONS)}")
+    return variable
+
+
+def disk_dtype(variable: Variable) -> np.dtype[Any]:
+    """Return the data type of a variable in files; GeoTIFF has no booleans."""
+    return np.dtype("uint8" if variable.dtype == "bool" else variable.dtype)
+
+
+def _stored_values(values: np.ndarray, variable: Variable) -> np.ndarray:
+    """Return what goes into the file: "no data" put in, type of the schema, nothing lost."""
+    kind = disk_dtype(variable)
+    if values.dtype.kind not in "iufb":
+        raise InputError(f"{variable.name} holds {values.dtype} values, expected {variable.dtype}")
+    missing = np.isnan(values) if values.dtype.kind == "f" else np.zeros(values.shape, dtype=bool)
+    if variable.name == "priority":
+        if missing.any():
+            raise InputError(f"priority is NaN in {int(missing.sum())} cells; expected a number, or -inf where nothing burns")
+        missing = np.isneginf(values)
+    inside = values[~missing]
+    if inside.size and not np.isfinite(inside).all():
+        raise InputError(f"{variable.name} holds infinite values; expected finite numbers, or NaN for no data")
+    if variable.nodata is not None and missing.any() and kind.kind == "f" and (inside == variable.nodata).any():
+        raise InputError(f"{variable.name} holds {variable.nodata:g}, which stands for no data in files; shift the values")
+    for bound, wrong, word in ((variable.minimum, np.less, "at least"), (variable.maximum, np.greater, "at most")):
+        if bound is not None and inside.size and wrong(inside, bound).any():
+            raise InputError(f"{variable.name} goes from {inside.min():g} to {inside.max():g}, expected {word} {bound:g}")
+    if kind.kind != "f" and values.dtype.kind == "f" and not np.array_equal(inside, np.round(inside)):
+        raise InputError(f"{variable.name} holds fractions, expected whole numbers")
+    filled = np.where(missing, 0 if variable.nodata is None else variable.nodata, values) if missing.any() else values
+    stored = filled.astype(kind)
+    if kind.kind == "f" and variable.nodata is not None and (stored[~missing] == variable.nodata).any():
+        raise InputError(f"{variable.name} holds {variable.nodata:g}, which stands for no data in files; shift the values")
+    return np.ascontiguousarray(stored)
+
+
+def _lower(options: Mapping[str, Any]) -> dict[str, Any]:
+    return {str(key).lower(): value for key, value in options.items()}
+
+
+def _write(
+    part: Path, planes: np.ndarray, grid: Grid, variable: Variable, provenance: Mapping[str, Any], options: Mapping[str, Any]
+) -> None:
+    import rasterio
+    from rasterio.errors import NotGeoreferencedWarning
+
+    classes = bool(variable.classes) or variable.dtype == "bool"
+    profile: dict[str, Any] = {
+        "driver": "COG", "count": planes.shape[0], "height": grid.shape[0], "width": grid.shape[1],
+        "dtype": planes.dtype.name, "transform": grid.transform, "nodata": variable.nodata,
+        "compress": "DEFLATE", "predictor": "YES", "bigtiff": "IF_SAFER", "num_threads": 1,
+        # The default is cubic, which invents classes.
+        "overview_resampling": "MODE" if classes else "AVERAGE",
+        **options,
+    }
+    if grid.crs is not None:
+        profile["crs"] = grid.crs.to_wkt()
+    # All that is known goes into the file: a .aux.xml beside the temporary name would be lost.
+    with rasterio.Env(GDAL_PAM_ENABLED="NO"), warnings.catch_warnings():
+        warnings.simplefilter("ignore", NotGeoreferencedWarning)
+        try:
+            with rasterio.open(part, "w", **profile) as target:
+                target.write(planes)
+                _describe(target, variable, provenance)
+        except FirebreakError:
+            raise
+        except Exception as error:  # GDAL tells a full disk by private classes, and only on closing
+            raise OutputError(f"cannot write the raster {variable.name}: {error}; is the disk full?") from error
+
+
+def _describe(target: Any, variable: Variable, provenance: Mapping[str, Any]) -> None:
+    tags = {TAG + str(key).upper(): _text(value) for key, value in sorted(provenance.items())}
+    target.update_tags(AREA_OR_POINT="Area", **tags)
+    for band in range(1, target.count + 1):
+        direction = DIRECTIONS[band - 1] if variable.dims[0] == "direction" else None
+        target.set_band_description(band, direction or variable.text)
+        target.set_band_unit(band, variable.units)
+        meaning = {f"CLASS_{code}": label for code, label in variable.classes.items()}
+        target.update_tags(band, variable=variable.name, long_name=variable.text, **meaning)
+    if variable.classes and variable.colours:
+        target.write_colormap(1, {code: rgba(colour) for code, colour in variable.colours.items()})
+
+
+def _text(value: Any) -> str:
+    return value if isinstance(value, str) else json.dumps(value, sort_keys=True)
+
+
+def _verify(part: Path, planes: np.ndarray, grid: Grid, variable: Variable) -> None:
+    """Read the finished file anew and compare everything that matters."""
+    from firebreak_gis.grid import parse_crs
+
+    with open_raster(part) as source:
+        crs = None if source.crs is None else parse_crs(source.crs.to_wkt())
+        found = Grid((source.height, source.width), source.transform, crs)
+        if found.shape != grid.shape or not found.transform.almost_equals(grid.transform, precision=1e-6):
+            raise VerificationError(f"{variable.name}: written on {grid.describe()}, read back on {found.describe()}")
+        if (crs is None) != (grid.crs is None):
+            raise VerificationError(f"{variable.name}: the CRS was lost in the file")
+        if source.nodata != variable.nodata and not (source.nodata is None and variable.nodata is None):
+            raise VerificationError(f"{variable.name}: no data written as {variable.nodata}, read back as {source.nodata}")
+        for band, plane in enumerate(planes, start=1):
+            if not np.array_equal(source.read(band), plane):
+                raise VerificationError(f"{variable.name}: band {band} does not read back as it was written; is the disk failing?")
+
+
+def _write_style(place: Path, values: np.ndarray, variable: Variable, overwrite: bool) -> None:
+    if not variable.colours:
+        return
+    style = place.with_suffix(".qml")
+    if style.exists() and not overwrite:
+        return  # the user's own
+    if not variable.classes:
+        inside = values[values != variable.nodata]
+        low, high = (float(inside.min()), float(inside.max())) if inside.size else (0.0, 1.0)
+        # Shares keep 0 to 1, so that two maps beside each other have the same colours.
+        fixed = variable.minimum == 0 and variable.maximum == 1
+        text = qml(variable) if fixed else qml(variable, minimum=low, maximum=high)
+    else:
+        text = qml(variable)
+    require_writable(style, overwrite=True)
+    write_text(style, text, overwrite=True)
