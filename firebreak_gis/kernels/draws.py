@@ -1,16 +1,18 @@
-"""Keyed random draws: the outcome of one trial depends on (seed, purpose, run, index) alone.
+"""Keyed random draws: the outcome of one trial depends on (seed, purpose, run, edge) alone.
 
 The generator is SplitMix64 (Steele, Lea, Flood 2014, doi 10.1145/2714064.2660195) read at any position:
-word n of the stream of `key` is mix64(key + (n + 1) * GAMMA). A key is made from (seed, purpose, block) by
-numpy's SeedSequence.
+word n of the stream of `key` is mix64(key + (n + 1) * GAMMA). The key of a purpose comes from numpy's
+SeedSequence, the key of run i is word i of that purpose's stream.
 
-Runs are drawn 64 at a time. The uniform number of (run, index) is spread over the words of block
-run // 64: its binary digit j, from the most significant, is bit run % 64 of word 32 * index + j. Whether it
-lies below a threshold is known after two digits on average, so one run reads two words a trial, and all 64
-runs together about eight. One run alone and 64 at once therefore see the same draws, to the bit.
+A cell tries its eight edges at once. The draw of the edge in direction d of a cell has 32 binary digits: its
+byte j, from the most significant, is byte d of word 4 * cell + j of the run's stream. One word therefore
+decides all eight edges unless a byte equals that of the threshold (once in 256), and the order in which
+cells are visited, one run at a time or 64 together, makes no difference to any bit.
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,37 +22,39 @@ GAMMA = np.uint64(0x9E3779B97F4A7C15)
 _MIX_1 = np.uint64(0xBF58476D1CE4E5B9)
 _MIX_2 = np.uint64(0x94D049BB133111EB)
 
-#: Runs that share a block of words.
-LANES = 64
-#: Binary digits of a draw: probabilities are resolved to 2**-32.
-DIGITS = 32
 #: Threshold that stands for certainty.
-CERTAIN = np.uint32(0xFFFFFFFF)
+CERTAIN = 0xFFFFFFFF
+_HIGH = np.uint64(0x8080808080808080)
+_ONES = np.uint64(0x0101010101010101)
 
 #: What a stream is for; part of the key, so that purposes never share draws.
 PURPOSES = ("edges", "ignitions", "ranking", "forest", "pivots")
 
 
-def stream_key(seed: int, purpose: str, block: int = 0) -> np.uint64:
-    """Key of the stream for (seed, purpose, block).
+class Thresholds(NamedTuple):
+    """Draw thresholds of all edges, byte d of a word for direction d.
 
     Parameters
     ----------
-    seed
-        Any integer >= 0.
-    purpose
-        One of `PURPOSES`.
-    block
-        run // 64 for draws by run, else 0.
+    top
+        (n_cells,) uint64: most significant byte of the eight thresholds of a cell.
+    rest
+        (n_cells, 3) uint64: the other bytes, most significant first.
     """
-    sequence = np.random.SeedSequence([seed, PURPOSES.index(purpose), block])
+
+    top: np.ndarray
+    rest: np.ndarray
+
+
+def stream_key(seed: int, purpose: str) -> np.uint64:
+    """Key of the stream of (seed, purpose); `purpose` is one of `PURPOSES`, `seed` any integer >= 0."""
+    sequence = np.random.SeedSequence([seed, PURPOSES.index(purpose)])
     return np.uint64(sequence.generate_state(1, np.uint64)[0])
 
 
-def stream_keys(seed: int, purpose: str, n_runs: int) -> np.ndarray:
-    """Keys of all blocks that `n_runs` runs need: (ceil(n_runs / 64),) uint64."""
-    n_blocks = -(-n_runs // LANES)
-    return np.array([stream_key(seed, purpose, block) for block in range(n_blocks)], dtype=np.uint64)
+def run_keys(seed: int, purpose: str, n_runs: int) -> np.ndarray:
+    """Keys of runs 0 .. n_runs - 1, (n_runs,) uint64."""
+    return words(stream_key(seed, purpose), 0, n_runs)
 
 
 @inlined
@@ -76,72 +80,64 @@ def uniforms(key: np.uint64, count: int, start: int = 0) -> np.ndarray:
     return (words(key, start, count) >> np.uint64(11)).astype(np.float64) * 2.0**-53
 
 
-def thresholds(probability: np.ndarray) -> np.ndarray:
-    """Draw thresholds of probabilities, edges of a cell side by side.
+def thresholds(probability: np.ndarray) -> Thresholds:
+    """Thresholds below which a 32-digit draw opens an edge; 1 always opens, 0 never.
 
     Parameters
     ----------
     probability
-        (8, rows, cols), in [0, 1].
-
-    Returns
-    -------
-    numpy.ndarray
-        (rows * cols, 8) uint32: a trial succeeds when its 32-digit draw is below; `CERTAIN` always does.
+        (8, rows, cols) float32, in [0, 1].
     """
     n_cells = probability.shape[1] * probability.shape[2]
-    out = np.empty((n_cells, 8), np.uint32)
-    _fill_thresholds(np.ascontiguousarray(probability).reshape(8, n_cells), out)
+    out = Thresholds(np.zeros(n_cells, np.uint64), np.zeros((n_cells, 3), np.uint64))
+    _fill_thresholds(np.ascontiguousarray(probability).reshape(8, n_cells), out.top, out.rest)
     return out
 
 
 @kernel
-def _fill_thresholds(probability: np.ndarray, out: np.ndarray) -> None:
-    for cell in range(out.shape[0]):
-        for d in range(8):
+def _fill_thresholds(probability: np.ndarray, top: np.ndarray, rest: np.ndarray) -> None:
+    for d in range(8):
+        shift = np.uint64(8 * d)
+        for cell in range(top.shape[0]):
             p = np.float64(probability[d, cell])
-            if p >= 1.0:
-                out[cell, d] = CERTAIN
-            else:
-                out[cell, d] = np.uint32(min(np.floor(p * 4294967296.0 + 0.5), 4294967294.0))
+            digits = np.uint64(CERTAIN)
+            if p < 1.0:
+                digits = np.uint64(min(np.floor(p * 4294967296.0 + 0.5), 4294967294.0))
+            top[cell] |= (digits >> np.uint64(24)) << shift
+            rest[cell, 0] |= ((digits >> np.uint64(16)) & np.uint64(255)) << shift
+            rest[cell, 1] |= ((digits >> np.uint64(8)) & np.uint64(255)) << shift
+            rest[cell, 2] |= (digits & np.uint64(255)) << shift
 
 
 @inlined
-def trials(key: np.uint64, index: np.uint64, threshold: np.uint32, lanes: np.uint64) -> np.uint64:
-    """Lanes out of `lanes` whose draw at `index` lies below `threshold`."""
-    opened = np.uint64(0)
-    if threshold == CERTAIN:
-        opened = lanes
-    else:
-        undecided = lanes
-        position = index * np.uint64(DIGITS)
-        rest = threshold
-        # Digits of the threshold leave at the top; when none is left, no undecided draw is below.
-        while undecided != np.uint64(0) and rest != np.uint32(0):
-            digits = word(key, position)
-            if rest & np.uint32(0x80000000):
-                opened |= undecided & ~digits
-                undecided &= digits
-            else:
-                undecided &= ~digits
-            rest = np.uint32(rest << np.uint32(1))
-            position += np.uint64(1)
-    return opened
+def bytes_below(x: np.uint64, limit: np.uint64) -> np.uint64:
+    """High bit of every byte of `x` that is smaller than the same byte of `limit`."""
+    difference = (x | _HIGH) - (limit & ~_HIGH)
+    return ((~x & limit) | (~(x ^ limit) & ~difference)) & _HIGH
 
 
 @inlined
-def trial(key: np.uint64, index: np.uint64, threshold: np.uint32, lane: np.uint64) -> bool:
-    """Whether the draw of one lane at `index` lies below `threshold`."""
-    opened = threshold == CERTAIN
-    position = index * np.uint64(DIGITS)
-    rest = threshold
-    undecided = not opened
-    while undecided and rest != np.uint32(0):
-        digit = (word(key, position) >> lane) & np.uint64(1)
-        limit = np.uint64(rest >> np.uint32(31))
-        if digit != limit:
-            opened = limit == np.uint64(1)
-            undecided = False
-        rest = np.uint32(rest << np.uint32(1))
-        position += np.uint64(1)
+def bytes_equal(x: np.uint64, limit: np.uint64) -> np.uint64:
+    """High bit of every byte in which `x` and `limit` agree."""
+    z = x ^ limit
+    return ~(((z & ~_HIGH) + ~_HIGH) | z) & _HIGH
+
+
+@inlined
+def open_edges(key: np.uint64, cell: np.uint64, top: np.uint64, rest: np.ndarray) -> np.uint64:
+    """Edges of `cell` that are open in the run of `key`: the high bit of byte d for direction d."""
+    position = cell * np.uint64(4)
+    digits = word(key, position)
+    opened = bytes_below(digits, top)
+    undecided = bytes_equal(digits, top)
+    if undecided != np.uint64(0):
+        certain = undecided & bytes_equal(top, ~np.uint64(0))
+        for j in range(3):
+            digits = word(key, position + np.uint64(j + 1))
+            limit = rest[cell, j]
+            opened |= undecided & bytes_below(digits, limit)
+            undecided &= bytes_equal(digits, limit)
+            certain &= bytes_equal(limit, ~np.uint64(0))
+        # All 32 digits of the draw equal the threshold, or it is certain whatever the draw.
+        opened |= certain
     return opened

@@ -1,0 +1,287 @@
+"""Directed bond percolation on the grid: one fire, 64 fires at once, and the whole curve in one pass.
+
+All kernels read the same draws (`kernels.draws`), so they agree to the bit. Common arguments:
+
+thresholds
+    `draws.Thresholds`. Edges that leave an open grid have threshold 0 and never open, which is why no kernel
+    tests for the border of an open grid.
+keys
+    (n_runs,) uint64 from `draws.run_keys`.
+steps
+    `Steps` of the grid. Cell numbers are unsigned in all loops: numba tests a signed index for negative
+    values, which costs more than the rest of the step.
+starts, cells
+    Ignitions of run i are ``cells[starts[i]:starts[i + 1]]``; -1 burns nothing.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from firebreak_gis.kernels.draws import Thresholds, open_edges
+from firebreak_gis.kernels.policy import inlined, kernel
+from firebreak_gis.lattice import COL_STEP, ROW_STEP
+
+_ZERO = np.uint64(0)
+_ONE = np.uint64(1)
+
+
+class Steps(NamedTuple):
+    """Steps between row-major cell numbers.
+
+    Parameters
+    ----------
+    offsets
+        (9, 8) uint64, two's complement: step in each direction for each position of a cell, 3 * (0 inside, 1
+        first row, 2 last row) + (0 inside, 1 first column, 2 last column).
+    position
+        (n_cells,) uint8 position of each cell of a periodic grid; empty for an open one, where edges across
+        the border never open and every cell counts as inside.
+    """
+
+    offsets: np.ndarray
+    position: np.ndarray
+
+
+def steps(shape: tuple[int, int], *, periodic: bool) -> Steps:
+    """Steps of a grid of (rows, cols)."""
+    rows, cols = shape
+    dr, dc = np.array(ROW_STEP), np.array(COL_STEP)
+    offsets = np.empty((9, 8), np.int64)
+    for row_position, row_wrap in enumerate((0, rows, -rows)):
+        for col_position, col_wrap in enumerate((0, cols, -cols)):
+            crosses_row = (dr == -1) if row_position == 1 else (dr == 1) & (row_position == 2)
+            crosses_col = (dc == -1) if col_position == 1 else (dc == 1) & (col_position == 2)
+            offsets[3 * row_position + col_position] = (dr + row_wrap * crosses_row) * cols + dc + col_wrap * crosses_col
+    position = np.zeros(0, np.uint8)
+    if periodic:
+        plane = np.zeros(shape, np.uint8)
+        plane[0] += 3
+        plane[-1] += 6
+        plane[:, 0] += 1
+        plane[:, -1] += 2
+        position = plane.ravel()
+    return Steps(offsets.astype(np.uint64), position)
+
+
+@kernel
+def burn_runs(
+    thresholds: Thresholds, keys: np.ndarray, steps: Steps, starts: np.ndarray,
+    cells: np.ndarray, first: int, last: int, counts: np.ndarray, sizes: np.ndarray,
+) -> None:
+    """Burn runs `first` .. `last - 1` one after another.
+
+    Parameters
+    ----------
+    counts
+        (n_cells,) uint32, increased by one for each run in which the cell burns.
+    sizes
+        (n_runs,) int64, set to the cells burnt.
+    """
+    n_cells = thresholds.top.shape[0]
+    stamp = np.zeros(n_cells, np.uint8)
+    queue = np.empty(n_cells + 1, np.uint32)
+    periodic = steps.position.size > 0
+    mark = np.uint8(0)
+    for run in range(first, last):
+        if mark == np.uint8(255):
+            stamp[:] = np.uint8(0)
+            mark = np.uint8(0)
+        mark = np.uint8(mark + np.uint8(1))
+        key = keys[run]
+        tail = _ZERO
+        for i in range(starts[run], starts[run + 1]):
+            if cells[i] >= 0 and stamp[cells[i]] != mark:
+                stamp[cells[i]] = mark
+                queue[tail] = cells[i]
+                tail += _ONE
+        head = _ZERO
+        while head < tail:
+            cell = np.uint64(queue[head])
+            head += _ONE
+            counts[cell] += np.uint32(1)
+            opened = open_edges(key, cell, thresholds.top[cell], thresholds.rest)
+            position = np.uint8(0)
+            if periodic:
+                position = steps.position[cell]
+            # No branch in this loop: a closed edge leads back to the cell itself, which is stamped.
+            for d in range(8):
+                is_open = (opened >> np.uint64(8 * d + 7)) & _ONE
+                target = cell + steps.offsets[position, d] * is_open
+                queue[tail] = np.uint32(target)
+                tail += np.uint64(stamp[target] != mark)
+                stamp[target] = mark
+        sizes[run] = tail
+
+
+@kernel
+def burn_block(
+    thresholds: Thresholds, keys: np.ndarray, steps: Steps, starts: np.ndarray,
+    cells: np.ndarray, first: int, last: int, burnt: np.ndarray, pending: np.ndarray, queue: np.ndarray,
+    counts: np.ndarray, sizes: np.ndarray,
+) -> None:
+    """Burn runs `first` .. `last - 1`, at most 64, at once: one bit a run.
+
+    Parameters
+    ----------
+    burnt, pending
+        (n_cells,) uint64, all zero; zero again on return.
+    queue
+        (n_cells,) uint32, scratch.
+    counts, sizes
+        As in `burn_runs`.
+    """
+    n_cells = np.uint64(thresholds.top.shape[0])
+    periodic = steps.position.size > 0
+    lit = np.empty(8, np.uint64)
+    tail = _ZERO
+    waiting = 0
+    for run in range(first, last):
+        bit = _ONE << np.uint64(run - first)
+        for i in range(starts[run], starts[run + 1]):
+            if cells[i] >= 0:
+                cell = np.uint64(cells[i])
+                if pending[cell] == _ZERO:
+                    queue[tail] = np.uint32(cell)
+                    tail = tail + _ONE if tail + _ONE < n_cells else _ZERO
+                    waiting += 1
+                pending[cell] |= bit
+                burnt[cell] |= bit
+    # A cell waits in the ring at most once, however many runs have lit it meanwhile.
+    head = _ZERO
+    while waiting > 0:
+        cell = np.uint64(queue[head])
+        head = head + _ONE if head + _ONE < n_cells else _ZERO
+        waiting -= 1
+        _open_lanes(pending[cell], keys, first, cell, thresholds, lit)
+        pending[cell] = _ZERO
+        position = np.uint8(0)
+        if periodic:
+            position = steps.position[cell]
+        for d in range(8):
+            if lit[d] != _ZERO:
+                target = cell + steps.offsets[position, d]
+                fresh = lit[d] & ~burnt[target]
+                if fresh != _ZERO:
+                    burnt[target] |= fresh
+                    if pending[target] == _ZERO:
+                        queue[tail] = np.uint32(target)
+                        tail = tail + _ONE if tail + _ONE < n_cells else _ZERO
+                        waiting += 1
+                    pending[target] |= fresh
+    _tally(burnt, first, last, counts, sizes)
+
+
+@inlined
+def _open_lanes(
+    lanes: np.uint64, keys: np.ndarray, first: int, cell: np.uint64, thresholds: Thresholds, lit: np.ndarray
+) -> None:
+    """Set `lit[d]` to those of `lanes` in which the edge of `cell` in direction d is open."""
+    for d in range(8):
+        lit[d] = _ZERO
+    top = thresholds.top[cell]
+    for group in range(8):
+        members = (lanes >> np.uint64(8 * group)) & np.uint64(255)
+        if members != _ZERO:
+            opened = _ZERO  # bit j of byte d: lane j of the group, direction d
+            for j in range(8):
+                if (members >> np.uint64(j)) & _ONE:
+                    key = keys[np.uint64(first + 8 * group + j)]
+                    edges = open_edges(key, cell, top, thresholds.rest)
+                    opened |= (edges >> np.uint64(7)) << np.uint64(j)
+            for d in range(8):
+                lit[d] |= ((opened >> np.uint64(8 * d)) & np.uint64(255)) << np.uint64(8 * group)
+
+
+@kernel
+def _tally(burnt: np.ndarray, first: int, last: int, counts: np.ndarray, sizes: np.ndarray) -> None:
+    """Add the bits of `burnt` up by cell and by run, and clear it."""
+    # Sixty-four counters side by side: digit k of the counter of lane i is bit i of digits[k].
+    digits = np.zeros(48, np.uint64)
+    for cell in range(burnt.shape[0]):
+        carry = burnt[cell]
+        if carry != _ZERO:
+            burnt[cell] = _ZERO
+            counts[cell] += _popcount(carry)
+            k = 0
+            while carry != _ZERO:
+                overflow = digits[k] & carry
+                digits[k] ^= carry
+                carry = overflow
+                k += 1
+    for run in range(first, last):
+        size = 0
+        for k in range(48):
+            size |= np.int64((digits[k] >> np.uint64(run - first)) & _ONE) << k
+        sizes[run] = size
+
+
+@inlined
+def _popcount(bits: np.uint64) -> np.uint32:
+    x = bits - ((bits >> np.uint64(1)) & np.uint64(0x5555555555555555))
+    x = (x & np.uint64(0x3333333333333333)) + ((x >> np.uint64(2)) & np.uint64(0x3333333333333333))
+    x = (x + (x >> np.uint64(4))) & np.uint64(0x0F0F0F0F0F0F0F0F)
+    return np.uint32((x * np.uint64(0x0101010101010101)) >> np.uint64(56))
+
+
+@kernel
+def burn_curve(
+    thresholds: Thresholds, keys: np.ndarray, steps: Steps, starts: np.ndarray,
+    cells: np.ndarray, first: int, last: int, levels: np.ndarray, burnt_at: np.ndarray,
+) -> None:
+    """Cells burnt at every cut level, one pass a run (a widest-path problem).
+
+    A cell of level q is still there at cut levels 0 .. q. The largest cut level at which a cell burns is the
+    widest path to it over open edges; cells are settled from the highest level down, and each is final when
+    first touched.
+
+    Parameters
+    ----------
+    levels
+        (n_cells,) int32 in -1 .. n_levels - 1; -1: cut at every level.
+    burnt_at
+        (n_runs, n_levels) int64; row `run` is set to the cells burnt at each cut level.
+    """
+    n_cells = thresholds.top.shape[0]
+    n_levels = burnt_at.shape[1]
+    periodic = steps.position.size > 0
+    nobody = np.uint32(0xFFFFFFFF)
+    stamp = np.zeros(n_cells, np.uint8)
+    below = np.empty(n_cells, np.uint32)  # next cell of the same bucket
+    bucket = np.full(n_levels, nobody, np.uint32)
+    mark = np.uint8(0)
+    for run in range(first, last):
+        if mark == np.uint8(255):
+            stamp[:] = np.uint8(0)
+            mark = np.uint8(0)
+        mark = np.uint8(mark + np.uint8(1))
+        for i in range(starts[run], starts[run + 1]):
+            if cells[i] >= 0:
+                cell = np.uint64(cells[i])
+                if levels[cell] >= 0 and stamp[cell] != mark:
+                    stamp[cell] = mark
+                    settled = np.uint64(levels[cell])
+                    below[cell] = bucket[settled]
+                    bucket[settled] = np.uint32(cell)
+        total = 0
+        for step in range(n_levels):
+            level = np.uint64(n_levels - 1 - step)
+            while bucket[level] != nobody:
+                cell = np.uint64(bucket[level])
+                bucket[level] = below[cell]
+                total += 1
+                opened = open_edges(keys[run], cell, thresholds.top[cell], thresholds.rest)
+                position = np.uint8(0)
+                if periodic:
+                    position = steps.position[cell]
+                for d in range(8):
+                    is_open = (opened >> np.uint64(8 * d + 7)) & _ONE
+                    target = cell + steps.offsets[position, d] * is_open
+                    if stamp[target] != mark and levels[target] >= 0:
+                        stamp[target] = mark
+                        settled = min(level, np.uint64(levels[target]))
+                        below[target] = bucket[settled]
+                        bucket[settled] = np.uint32(target)
+            burnt_at[run, level] = total
