@@ -1,0 +1,256 @@
+"""Reading points, lines and polygons of any vector file; writing vector files."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from firebreak_gis.errors import CRSError, InputError, MissingComponentError, OutputError, VerificationError
+from firebreak_gis.files import replacing
+from firebreak_gis.grid import crs_name, parse_crs
+
+if TYPE_CHECKING:
+    import geopandas as gpd
+    from pyproj import CRS
+
+#: GDAL driver by extension; GeoParquet is written without GDAL.
+DRIVERS: Mapping[str, str] = MappingProxyType(
+    {".gpkg": "GPKG", ".geojson": "GeoJSON", ".json": "GeoJSON", ".fgb": "FlatGeobuf", ".parquet": "Parquet"}
+)
+#: Time stamp inside GeoPackages, the same in every run so that equal data give equal bytes.
+FIXED_DATE = "2000-01-01T00:00:00Z"
+
+
+
+def read_points(source: Any, crs: Any) -> gpd.GeoDataFrame:
+    """Read all points of all layers, multipoints taken apart, reprojected to `crs`.
+
+    Parameters
+    ----------
+    source
+        Path of any vector file that GDAL reads, or a GeoDataFrame or GeoSeries with CRS.
+    crs
+        Target CRS, anything that pyproj reads.
+
+    Raises
+    ------
+    InputError
+        If there are no points, other geometries, or a file that cannot be read; `CRSError` without CRS.
+    """
+    return _read(source, crs, "points", {"Point"})
+
+
+def read_lines(source: Any, crs: Any) -> gpd.GeoDataFrame:
+    """Read all lines of all layers, multilines taken apart, reprojected to `crs`; as `read_points`."""
+    return _read(source, crs, "lines", {"LineString", "LinearRing"})
+
+
+def read_polygons(source: Any, crs: Any) -> gpd.GeoDataFrame:
+    """Read all polygons of all layers, one row a feature, reprojected to `crs`; as `read_points`.
+
+    Self-crossing outlines are repaired; `attrs["notes"]` says how many.
+    """
+    return _read(source, crs, "polygons", {"Polygon"}, explode=False)
+
+
+def write_vector(
+    path: str | os.PathLike[str],
+    gdf: gpd.GeoDataFrame,
+    *,
+    layer: str | None = None,
+    overwrite: bool = False,
+    forbid: Iterable[str | os.PathLike[str]] = (),
+) -> Path:
+    """Write a GeoDataFrame; the extension chooses the format (.gpkg, .geojson, .fgb, .parquet).
+
+    GeoJSON is written in longitude and latitude (WGS 84), as its standard demands. Rows keep their
+    order. The file is read back and its features counted before it takes its place. No date is stored.
+
+    Parameters
+    ----------
+    path
+        Target.
+    gdf
+        With a CRS; may be empty.
+    layer
+        Name of the layer; the stem of the file by default.
+    overwrite
+        Whether an existing file may be replaced (as a whole, with all its layers).
+    forbid
+        Input files, none of which may be the target.
+
+    Raises
+    ------
+    OutputError
+        If the extension is unknown or the file cannot be written.
+    CRSError
+        If `gdf` has no CRS.
+    MissingComponentError
+        For .parquet without pyarrow.
+    VerificationError
+        If the file does not hold as many features as `gdf`.
+    """
+    place = Path(path)
+    driver = DRIVERS.get(place.suffix.lower())
+    if driver is None:
+        raise OutputError(f"{place.name} has no known vector extension; expected one of {', '.join(DRIVERS)}")
+    if gdf.crs is None:
+        raise CRSError(f"the features for {place.name} have no coordinate reference system; set one with gdf.set_crs(...)")
+    _require_closed(place)
+    layer = layer or place.stem
+
+    def verify(part: Path) -> None:
+        found = _count(part, driver)
+        if found != len(gdf):
+            raise VerificationError(f"{place.name}: {len(gdf)} features were written, {found} read back")
+
+    with replacing(place, overwrite=overwrite, verify=verify, forbid=forbid) as part:
+        if driver == "Parquet":
+            _write_parquet(part, gdf)
+        else:
+            _write_ogr(part, gdf, driver, layer)
+    return place
+
+
+def _read(source: Any, crs: Any, what: str, kinds: set[str], *, explode: bool = True) -> gpd.GeoDataFrame:
+    import geopandas as gpd
+    import pandas as pd
+
+    target = parse_crs(crs)
+    where, frames = _frames(source)
+    notes: list[str] = []
+    ready = []
+    for frame in frames:
+        if frame.crs is None:
+            raise CRSError(f"{where} has no coordinate reference system; assign one, e.g. ogr2ogr -a_srs EPSG:4326 out.gpkg in.shp")
+        ready.append(_plain(frame, where, what, kinds, notes).to_crs(target))
+    ready = [frame for frame in ready if len(frame)]
+    if not ready:
+        raise InputError(f"{where} holds no {what}; expected at least one")
+    joined = gpd.GeoDataFrame(pd.concat(ready, ignore_index=True), crs=target) if len(ready) > 1 else ready[0]
+    if explode:
+        joined = joined.explode(index_parts=False)
+    joined = joined.reset_index(drop=True)
+    _require_finite(joined, where, target)
+    joined.attrs["notes"] = notes
+    return joined
+
+
+def _frames(source: Any) -> tuple[str, list[gpd.GeoDataFrame]]:
+    import geopandas as gpd
+
+    if isinstance(source, gpd.GeoSeries):
+        return "the geometries", [gpd.GeoDataFrame(geometry=source)]
+    if isinstance(source, gpd.GeoDataFrame):
+        return "the features", [source]
+    name = os.fspath(source)
+    if "://" not in name and not name.startswith("/vsi") and not Path(name).exists():
+        raise InputError(f"{name} does not exist; check the name and the folder")
+    if name.lower().endswith(".parquet"):
+        return name, [_read_parquet(name)]
+    import pyogrio
+    from pyogrio.errors import DataLayerError, DataSourceError
+
+    try:
+        layers = [str(row[0]) for row in pyogrio.list_layers(name) if row[1] is not None]
+        frames = [gpd.read_file(name, layer=layer, engine="pyogrio") for layer in layers]
+    except (DataSourceError, DataLayerError, OSError) as error:
+        raise InputError(f"{name} cannot be read as vector data ({str(error)[:120]}); is it complete?") from error
+    if not frames:
+        raise InputError(f"{name} holds no layer with geometries")
+    return name, frames
+
+
+def _read_parquet(name: str) -> gpd.GeoDataFrame:
+    import geopandas as gpd
+
+    try:
+        return gpd.read_parquet(name)
+    except ImportError as error:
+        raise MissingComponentError("reading .parquet needs pyarrow: pip install pyarrow (or use .gpkg)") from error
+    except (OSError, ValueError) as error:
+        raise InputError(f"{name} cannot be read as GeoParquet ({str(error)[:120]}); is it complete?") from error
+
+
+def _plain(frame: gpd.GeoDataFrame, where: str, what: str, kinds: set[str], notes: list[str]) -> gpd.GeoDataFrame:
+    """Two-dimensional, present, valid geometries of the kinds asked for."""
+    import shapely
+
+    present = ~(frame.geometry.isna() | frame.geometry.is_empty)
+    if not present.all():
+        notes.append(f"{int((~present).sum())} features without a geometry were left out")
+    frame = frame[present]
+    other = set(frame.geom_type) - kinds - {"Multi" + kind for kind in kinds}
+    if other:
+        raise InputError(f"{where} holds {', '.join(sorted(other))}, expected {what} only")
+    geometry = shapely.force_2d(frame.geometry.array)
+    if "Polygon" in kinds:
+        broken = ~shapely.is_valid(geometry)
+        if broken.any():
+            notes.append(f"{int(broken.sum())} polygons crossed themselves and were repaired")
+            geometry[broken] = shapely.make_valid(geometry[broken], method="structure")
+    return frame.set_geometry(geometry, crs=frame.crs)
+
+
+def _require_finite(frame: gpd.GeoDataFrame, where: str, target: CRS) -> None:
+    import numpy as np
+
+    if not np.isfinite(frame.geometry.bounds.to_numpy()).all():
+        raise CRSError(f"{where} has coordinates that {crs_name(target)} cannot describe; is its CRS the true one?")
+
+
+def _require_closed(place: Path) -> None:
+    for suffix in ("-wal", "-journal"):
+        if place.with_name(place.name + suffix).exists():
+            raise OutputError(f"{place} is open in another program (there is {place.name + suffix}); close it there first")
+
+
+@contextlib.contextmanager
+def _fixed_date() -> Iterator[None]:
+    import pyogrio
+
+    before = pyogrio.get_gdal_config_option("OGR_CURRENT_DATE")
+    pyogrio.set_gdal_config_options({"OGR_CURRENT_DATE": FIXED_DATE})
+    try:
+        yield
+    finally:
+        pyogrio.set_gdal_config_options({"OGR_CURRENT_DATE": before})
+
+
+def _write_ogr(part: Path, gdf: gpd.GeoDataFrame, driver: str, layer: str) -> None:
+    from pyogrio.errors import DataLayerError, DataSourceError, FeatureError, FieldError, GeometryError
+
+    options: dict[str, Any] = {"layer": layer}
+    if driver == "GeoJSON":
+        gdf = gdf.to_crs("EPSG:4326")
+        options |= {"RFC7946": "YES", "COORDINATE_PRECISION": 9}
+    if driver == "FlatGeobuf":
+        options["SPATIAL_INDEX"] = "NO"  # the index would reorder the features
+    if gdf.empty and driver != "GeoJSON":
+        options["geometry_type"] = "Unknown"
+    try:
+        with _fixed_date():
+            gdf.to_file(part, driver=driver, engine="pyogrio", index=False, **options)
+    except (DataSourceError, DataLayerError, FeatureError, FieldError, GeometryError) as error:
+        raise OutputError(f"cannot write the layer {layer}: {error}; is the disk full?") from error
+
+
+def _write_parquet(part: Path, gdf: gpd.GeoDataFrame) -> None:
+    try:
+        gdf.to_parquet(part, index=False)
+    except ImportError as error:
+        raise MissingComponentError("writing .parquet needs pyarrow: pip install pyarrow (or write .gpkg)") from error
+
+
+def _count(part: Path, driver: str) -> int:
+    if driver == "Parquet":
+        import geopandas as gpd
+
+        return len(gpd.read_parquet(part))
+    import pyogrio
+
+    return int(pyogrio.read_info(part, force_feature_count=True)["features"])
