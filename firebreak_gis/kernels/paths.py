@@ -167,11 +167,11 @@ def search(
     `came_from` (bit d: a shortest path arrives by an edge of direction d).
     """
     ring = np.uint64(head.size)
-    mask = ring - _ONE
+    mask, half = ring - _ONE, ring >> _ONE
     periodic = home.size > 0
     used, free, far = np.uint32(0), _NONE, _NONE
     near = 0
-    current, next_look = _ZERO, ring >> _ONE
+    current, horizon = _ZERO, ring
     count = _ZERO
 
     distance[source] = 0.0
@@ -183,34 +183,40 @@ def search(
     head[0] = 0
     near = 1
 
+    # A label stands in the ring if its bucket is below `horizon`, else it waits on the list `far`.
     while near > 0 or far != _NONE:
-        if far != _NONE and (near == 0 or current >= next_look):
+        if far == _NONE:
+            horizon = current + ring
+        elif near == 0 or current + half >= horizon:
+            first = np.uint64(0xFFFFFFFFFFFFFFFF)
+            kept = _NONE
+            while far != _NONE:
+                follow = entry[far, 1]
+                bucket = np.uint64(np.int64(distance[entry[far, 0]] * scale))
+                if bucket < horizon:  # improved since then: it stands in the ring already
+                    entry[far, 1] = free
+                    free = far
+                else:
+                    entry[far, 1] = kept
+                    kept = far
+                    first = min(first, bucket)
+                far = follow
             if near == 0:
-                # Nothing in the ring: go on at the first label that waits.
-                first = np.uint64(0xFFFFFFFFFFFFFFFF)
-                e = far
-                while e != _NONE:
-                    first = min(first, np.uint64(np.int64(distance[entry[e, 0]] * scale)))
-                    e = entry[e, 1]
-                current = max(current, first)
-            e = far
-            far = _NONE
-            while e != _NONE:
-                follow = entry[e, 1]
-                bucket = np.uint64(np.int64(distance[entry[e, 0]] * scale))
-                # A label improved since then stands in an earlier bucket already.
-                if bucket < current:
-                    entry[e, 1] = free
-                    free = e
-                elif bucket < current + ring:
-                    entry[e, 1] = head[bucket & mask]
-                    head[bucket & mask] = e
+                if kept == _NONE:
+                    break
+                current = first
+            horizon = current + ring
+            while kept != _NONE:
+                follow = entry[kept, 1]
+                bucket = np.uint64(np.int64(distance[entry[kept, 0]] * scale))
+                if bucket < horizon:
+                    entry[kept, 1] = head[bucket & mask]
+                    head[bucket & mask] = kept
                     near += 1
                 else:
-                    entry[e, 1] = far
-                    far = e
-                e = follow
-            next_look = current + (ring >> _ONE)
+                    entry[kept, 1] = far
+                    far = kept
+                kept = follow
         e = head[current & mask]
         head[current & mask] = _NONE
         while e != _NONE:
@@ -243,7 +249,9 @@ def search(
                         exponent[target] = exponent[cell]
                         came_from[target] = np.uint8(1 << d)
                     bucket = np.uint64(np.int64(reach * scale))
-                    if bucket != np.uint64(np.int64(old * scale)):
+                    before = np.uint64(np.int64(old * scale))
+                    waits = before >= horizon and old < UNREACHED
+                    if bucket != before and not (waits and bucket >= horizon):
                         slot = free
                         if slot == _NONE:
                             slot = used
@@ -251,7 +259,7 @@ def search(
                         else:
                             free = entry[slot, 1]
                         entry[slot, 0] = np.uint32(target)
-                        if bucket < current + ring:
+                        if bucket < horizon:
                             entry[slot, 1] = head[bucket & mask]
                             head[bucket & mask] = slot
                             near += 1
