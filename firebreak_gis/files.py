@@ -104,17 +104,25 @@ def require_writable(
     place = Path(os.path.realpath(target))
     try:
         if not place.parent.is_dir():
-            raise OutputError(f"the folder {place.parent} of the output {place.name} does not exist; create it first")
+            raise OutputError(
+                f"the folder {place.parent} of the output {place.name} does not exist; create it first"
+            )
         if place.is_dir():
             raise OutputError(f"the output {place} is a folder, expected the name of a file")
         for source in forbid:
             if same_file(place, source):
-                raise OutputError(f"the output {place} is the input {source}; choose another name, inputs are never changed")
+                raise OutputError(
+                    f"the output {place} is the input {source}; choose another name, inputs are never changed"
+                )
         if place.exists():
             if not overwrite:
-                raise OutputError(f"the output {place} exists; choose another name or allow overwriting (--overwrite)")
+                raise OutputError(
+                    f"the output {place} exists; choose another name or allow overwriting (--overwrite)"
+                )
             if not os.access(place, os.W_OK):
-                raise OutputError(f"the output {place} is write-protected; remove the protection or choose another name")
+                raise OutputError(
+                    f"the output {place} is write-protected; remove the protection or choose another name"
+                )
         # Asking for permission flags lies on network drives and for administrators: try.
         with tempfile.TemporaryFile(dir=place.parent, prefix=PREFIX):
             pass
@@ -255,7 +263,10 @@ def _remove_stale(place: Path) -> None:
     own = _key(place)
     _remove_parts(place.parent, PREFIX + own + "-")
     start = len(PREFIX)
-    keys = {entry.name[start : start + len(own)] for entry in place.parent.glob(f"{PREFIX}{'?' * len(own)}-*.part*")}
+    keys = {
+        entry.name[start : start + len(own)]
+        for entry in place.parent.glob(f"{PREFIX}{'?' * len(own)}-*.part*")
+    }
     for key in keys - {own}:
         with contextlib.suppress(OutputError), _locked(place.parent, key) as exclusive:
             if exclusive:

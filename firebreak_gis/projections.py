@@ -59,16 +59,20 @@ def require_plausible(crs: CRS, bounds: tuple[float, float, float, float], where
         raise CRSError(f"{where} has no finite extent ({box}); its georeference is broken, {fix}")
     if crs.is_geographic:
         degrees = math.degrees(crs.axis_info[0].unit_conversion_factor)
-        if min(left, right) * degrees < -360.5 or max(left, right) * degrees > 540.5 or max(
-            abs(bottom), abs(top)
-        ) * degrees > 90.5:
+        if (
+            min(left, right) * degrees < -360.5
+            or max(left, right) * degrees > 540.5
+            or max(abs(bottom), abs(top)) * degrees > 90.5
+        ):
             raise CRSError(f"{where} claims degrees ({crs_name(crs)}) but its coordinates are {box}; {fix}")
     elif max(abs(left), abs(right)) <= 360 and max(abs(bottom), abs(top)) <= 90 and right - left < 90:
         lon, lat = to_lonlat(crs, np.array([(left + right) / 2]), np.array([(bottom + top) / 2]))
         area = crs.area_of_use
         outside = area is None or not (area.south - 5 <= lat[0] <= area.north + 5)
         if outside or not math.isfinite(lon[0]):
-            raise CRSError(f"{where} claims projected units ({crs_name(crs)}) but its coordinates look like degrees: {box}; {fix}")
+            raise CRSError(
+                f"{where} claims projected units ({crs_name(crs)}) but its coordinates look like degrees: {box}; {fix}"
+            )
 
 
 def to_lonlat(crs: CRS, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -92,7 +96,9 @@ def suggest_utm(lon: np.ndarray, lat: np.ndarray) -> CRS:
     from pyproj import CRS
 
     if not (np.isfinite(lon).all() and np.isfinite(lat).all()):
-        raise CRSError("the extent reaches beyond what its CRS can describe; crop the raster, or give --bounds and --dst-crs")
+        raise CRSError(
+            "the extent reaches beyond what its CRS can describe; crop the raster, or give --bounds and --dst-crs"
+        )
     lon = np.unwrap(lon, period=360.0)
     width = float(lon.max() - lon.min())
     middle_lat = float(lat.min() + lat.max()) / 2
@@ -151,7 +157,8 @@ def outline(transform: Affine, shape: tuple[int, int], points: int = 21) -> tupl
     share = np.linspace(0.0, 1.0, points)
     col = np.concatenate([share, np.ones(points), share[::-1], np.zeros(points)]) * cols
     row = np.concatenate([np.zeros(points), share, np.ones(points), share[::-1]]) * rows
-    x, y = transform @ (col, row)
+    # affine is annotated for numbers but computes with arrays as well
+    x, y = transform @ (col, row)  # type: ignore[operator]
     return np.asarray(x), np.asarray(y)
 
 

@@ -104,7 +104,11 @@ class Legend:
         index = np.searchsorted(lows, numbers, side="right") - 1
         found = index.clip(0)
         inside = (index >= 0) & (numbers < highs[found])
-        inside |= (index >= 0) & (numbers == highs[found]) & ((lows[found] == highs[found]) | (highs[found] == highs.max()))
+        inside |= (
+            (index >= 0)
+            & (numbers == highs[found])
+            & ((lows[found] == highs[found]) | (highs[found] == highs.max()))
+        )
         return np.where(inside, found, -1)
 
     def column(self, name: str, missing: float) -> np.ndarray:
@@ -119,7 +123,9 @@ class Legend:
 def names() -> list[str]:
     """Return the names of the built-in legends, sorted."""
     folder = importlib.resources.files(__package__)
-    return sorted(entry.name.removesuffix(".csv") for entry in folder.iterdir() if entry.name.endswith(".csv"))
+    return sorted(
+        entry.name.removesuffix(".csv") for entry in folder.iterdir() if entry.name.endswith(".csv")
+    )
 
 
 def read_legend(name_or_path: str | os.PathLike[str] | Legend) -> Legend:
@@ -163,7 +169,12 @@ def parse(text: str, name: str, where: str) -> Legend:
         raise LegendError(f"{where} is empty; expected a line {','.join(COLUMNS[:4])} and one line a code")
     header = [cell.strip().lower() for cell in next(csv.reader([rows[0][1]]))]
     unknown = [cell for cell in header if cell not in COLUMNS]
-    if "code" not in header or unknown or not {"vegetation", "density"} & set(header) or len(set(header)) < len(header):
+    if (
+        "code" not in header
+        or unknown
+        or not {"vegetation", "density"} & set(header)
+        or len(set(header)) < len(header)
+    ):
         raise LegendError(
             f"{where}, line {rows[0][0]}: got the columns {', '.join(header)}, expected {', '.join(COLUMNS[:4])} "
             "separated by commas (density_from_raster is optional)"
@@ -173,7 +184,9 @@ def parse(text: str, name: str, where: str) -> Legend:
     for number, line in rows[1:]:
         cells = [cell.strip() for cell in next(csv.reader([line], skipinitialspace=True))]
         if len(cells) > len(header):
-            problems.append(f"line {number}: {len(cells)} cells, expected at most {len(header)}; quote texts that hold commas")
+            problems.append(
+                f"line {number}: {len(cells)} cells, expected at most {len(header)}; quote texts that hold commas"
+            )
             continue
         record = dict(zip(header, cells + [""] * (len(header) - len(cells)), strict=True))
         entry = _entry(record, number, problems)
@@ -198,7 +211,16 @@ def _entry(record: dict[str, str], number: int, problems: list[str]) -> Entry | 
         problems.append(f"line {number}: density_from_raster is {replaced!r}, expected yes or no")
     if len(problems) > before:
         return None
-    return Entry(low, high, vegetation, density, vegetation_effect, density_effect, replaced == "yes", record.get("label", ""))
+    return Entry(
+        low,
+        high,
+        vegetation,
+        density,
+        vegetation_effect,
+        density_effect,
+        replaced == "yes",
+        record.get("label", ""),
+    )
 
 
 def _code(text: str, number: int, problems: list[str]) -> tuple[float, float]:
@@ -232,7 +254,9 @@ def _class(kind: str, text: str, number: int, problems: list[str]) -> tuple[int 
         problems.append(f"line {number}: the {kind} is {text!r}, {expected} (class numbers are not)")
         return None, None
     if not (math.isfinite(effect) and effect > -1):
-        problems.append(f"line {number}: the {kind} effect is {text}, expected more than -1.0; write none for what cannot burn")
+        problems.append(
+            f"line {number}: the {kind} effect is {text}, expected more than -1.0; write none for what cannot burn"
+        )
         return None, None
     nearest = _NEAREST[kind]
     return min(nearest, key=lambda code: abs(nearest[code] - effect)), effect

@@ -1,6 +1,12 @@
 """Reading and writing rasters: the only package that opens them."""
 
-from firebreak_gis.rasters.header import Header, header_of_array, open_raster, read_header, require_georeferenced
+from firebreak_gis.rasters.header import (
+    Header,
+    header_of_array,
+    open_raster,
+    read_header,
+    require_georeferenced,
+)
 from firebreak_gis.rasters.reading import Cells, read_cells, read_raster, read_variable
 from firebreak_gis.rasters.writing import disk_dtype, write_raster
 

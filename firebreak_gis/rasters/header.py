@@ -92,8 +92,9 @@ class Header:
     def bounds(self) -> tuple[float, float, float, float]:
         """(left, bottom, right, top) of the footprint, in CRS units."""
         rows, cols = self.shape
-        x, y = self.transform @ (np.array([0, cols, 0, cols]), np.array([0, 0, rows, rows]))
-        return float(x.min()), float(y.min()), float(x.max()), float(y.max())
+        corners = [self.transform @ corner for corner in ((0, 0), (cols, 0), (0, rows), (cols, rows))]
+        x, y = [corner[0] for corner in corners], [corner[1] for corner in corners]
+        return float(min(x)), float(min(y)), float(max(x)), float(max(y))
 
     @property
     def grid(self) -> Grid:
@@ -120,11 +121,15 @@ def open_raster(path: str | os.PathLike[str], *, remote: bool = False) -> Iterat
         try:
             source = rasterio.open(name)
         except (RasterioError, OSError) as error:
-            raise InputError(f"{name} cannot be read as a raster: {_short(error, name)}; is it complete and of a format "
-                             "that GDAL reads?") from error
+            raise InputError(
+                f"{name} cannot be read as a raster: {_short(error, name)}; is it complete and of a format "
+                "that GDAL reads?"
+            ) from error
     with source:
         if source.driver == "VRT" and not name.lower().endswith(".vrt") and not name.lstrip().startswith("<"):
-            raise InputError(f"{name} is a virtual raster (VRT) under another name; name it .vrt if that is what you mean")
+            raise InputError(
+                f"{name} is a virtual raster (VRT) under another name; name it .vrt if that is what you mean"
+            )
         yield source
 
 
@@ -158,25 +163,35 @@ def read_header(
         number = _choose_band(source, name, band)
         dtype = source.dtypes[number - 1]
         if np.dtype(dtype).kind not in "iufb":
-            raise InputError(f"{name} holds {dtype} values, expected real numbers; extract one part of them first")
+            raise InputError(
+                f"{name} holds {dtype} values, expected real numbers; extract one part of them first"
+            )
         full, crs = _crs_of(source)
         flags = {flag.name for flag in source.mask_flag_enums[number - 1]}
         declared = source.nodatavals[number - 1]
         nodata = (() if declared is None else (declared,)) if src_nodata is None else _as_tuple(src_nodata)
         usable, notes = usable_nodata(nodata, dtype)
         return Header(
-            path=name, band=number, shape=(source.height, source.width), transform=source.transform, crs=crs,
-            dtype=dtype, nodata=usable, masked=src_nodata is None and "per_dataset" in flags,
-            scale=float(source.scales[number - 1]), offset=float(source.offsets[number - 1]),
-            units=source.units[number - 1] or "", vertical=None if full is None else vertical_factor(full),
-            palette=source.colorinterp[number - 1].name == "palette", located_by=_located_by(source),
-            tags=dict(source.tags()), notes=notes,
+            path=name,
+            band=number,
+            shape=(source.height, source.width),
+            transform=source.transform,
+            crs=crs,
+            dtype=dtype,
+            nodata=usable,
+            masked=src_nodata is None and "per_dataset" in flags,
+            scale=float(source.scales[number - 1]),
+            offset=float(source.offsets[number - 1]),
+            units=source.units[number - 1] or "",
+            vertical=None if full is None else vertical_factor(full),
+            palette=source.colorinterp[number - 1].name == "palette",
+            located_by=_located_by(source),
+            tags=dict(source.tags()),
+            notes=notes,
         )
 
 
-def header_of_array(
-    data: xr.DataArray, *, src_nodata: float | Sequence[float] | None = None
-) -> Header:
+def header_of_array(data: xr.DataArray, *, src_nodata: float | Sequence[float] | None = None) -> Header:
     """Return the header of an array in memory, with CRS as rioxarray keeps it.
 
     Raises
@@ -196,11 +211,19 @@ def header_of_array(
     nodata = [v for v in told if v is not None][:1] if src_nodata is None else _as_tuple(src_nodata)
     usable, notes = usable_nodata([float(v) for v in nodata], str(flat.dtype))
     return Header(
-        path=name, band=1, shape=grid.shape, transform=grid.transform,
-        crs=None if grid.crs is None else horizontal(grid.crs), dtype=str(flat.dtype), nodata=usable,
-        scale=float(data.attrs.get("scale_factor", 1.0)), offset=float(data.attrs.get("add_offset", 0.0)),
-        units=str(data.attrs.get("units", "")), vertical=None if grid.crs is None else vertical_factor(grid.crs),
-        notes=notes, array=flat.to_numpy(),
+        path=name,
+        band=1,
+        shape=grid.shape,
+        transform=grid.transform,
+        crs=None if grid.crs is None else horizontal(grid.crs),
+        dtype=str(flat.dtype),
+        nodata=usable,
+        scale=float(data.attrs.get("scale_factor", 1.0)),
+        offset=float(data.attrs.get("add_offset", 0.0)),
+        units=str(data.attrs.get("units", "")),
+        vertical=None if grid.crs is None else vertical_factor(grid.crs),
+        notes=notes,
+        array=flat.to_numpy(),
     )
 
 
@@ -217,7 +240,9 @@ def require_georeferenced(header: Header) -> CRS:
         help_ = {
             "gcp": "it only has ground control points: gdalwarp -t_srs EPSG:32635 in.tif out.tif",
             "rpc": "it only has a camera model (RPC): gdalwarp -rpc -t_srs EPSG:32635 in.tif out.tif",
-        }.get(header.located_by, "gdal_translate -a_srs EPSG:32635 -a_ullr LEFT TOP RIGHT BOTTOM in.tif out.tif")
+        }.get(
+            header.located_by, "gdal_translate -a_srs EPSG:32635 -a_ullr LEFT TOP RIGHT BOTTOM in.tif out.tif"
+        )
         raise GridError(f"{where} does not say where its cells lie (no transform); {help_}")
     if header.crs is None:
         raise CRSError(
@@ -225,7 +250,9 @@ def require_georeferenced(header: Header) -> CRS:
             "gdal_translate -a_srs EPSG:32635 in.tif out.tif"
         )
     if abs(header.transform.determinant) == 0 or not all(math.isfinite(v) for v in header.transform[:6]):
-        raise GridError(f"{where} has cells without area (transform {tuple(header.transform[:6])}); its georeference is broken")
+        raise GridError(
+            f"{where} has cells without area (transform {tuple(header.transform[:6])}); its georeference is broken"
+        )
     require_plausible(header.crs, header.bounds, where)
     return header.crs
 
@@ -255,7 +282,9 @@ def _look_first(name: str, remote: bool) -> None:
     """Answer what GDAL would answer badly: addresses, folders, missing, empty and text files."""
     if _REMOTE.match(name):
         if not remote:
-            raise InputError(f"{name} is a network or archive address; download or unpack it first (or allow it: --remote)")
+            raise InputError(
+                f"{name} is a network or archive address; download or unpack it first (or allow it: --remote)"
+            )
         return
     if _SUBDATASET.match(name):
         return
@@ -272,9 +301,13 @@ def _look_first(name: str, remote: bool) -> None:
     if not start:
         raise InputError(f"{name} is empty (0 bytes); copy or export it again")
     if start.startswith(b"version https://git-lfs"):
-        raise InputError(f"{name} is a Git LFS pointer, a text in place of the file; fetch it with: git lfs pull")
+        raise InputError(
+            f"{name} is a Git LFS pointer, a text in place of the file; fetch it with: git lfs pull"
+        )
     if start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") and path.suffix.lower() != ".vrt":
-        raise InputError(f"{name} is an XML or HTML text, not a raster; was it downloaded from a page that asks to log in?")
+        raise InputError(
+            f"{name} is an XML or HTML text, not a raster; was it downloaded from a page that asks to log in?"
+        )
 
 
 def _choose_band(source: Any, name: str, band: int | None) -> int:
@@ -290,7 +323,9 @@ def _choose_band(source: Any, name: str, band: int | None) -> int:
     if len(data) == 1:
         return data[0]
     if {"red", "green", "blue"} <= set(colours) or {"cyan", "magenta", "yellow"} <= set(colours):
-        raise InputError(f"{name} is a colour picture of a map, not a map of values; use the raster it was drawn from")
+        raise InputError(
+            f"{name} is a colour picture of a map, not a map of values; use the raster it was drawn from"
+        )
     raise InputError(f"{name} has {source.count} bands; choose one (--bidx, or band=)")
 
 

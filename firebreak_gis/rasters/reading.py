@@ -46,7 +46,9 @@ class Cells:
     notes: tuple[str, ...] = ()
 
 
-def read_cells(header: Header, window: Window | None = None, *, strict: bool = False, sentinels: bool = True) -> Cells:
+def read_cells(
+    header: Header, window: Window | None = None, *, strict: bool = False, sentinels: bool = True
+) -> Cells:
     """Read one band, settle "no data", apply scale and offset.
 
     Parameters
@@ -77,18 +79,24 @@ def read_cells(header: Header, window: Window | None = None, *, strict: bool = F
         if found:
             text = ", ".join(f"{v:g}" for v in found)
             if strict:
-                raise InputError(f"{header.path} uses {text} as no data without declaring it; "
-                                 f"declare it: gdal_edit.py -a_nodata {found[0]:g} FILE (or --src-nodata)")
+                raise InputError(
+                    f"{header.path} uses {text} as no data without declaring it; "
+                    f"declare it: gdal_edit.py -a_nodata {found[0]:g} FILE (or --src-nodata)"
+                )
             notes.append(f"{text} is not declared as no data but stands for it; taken as no data")
             for value in found:
                 valid &= ~_is_value(values, value)
     infinite = int(np.count_nonzero(np.isinf(values) & valid)) if values.dtype.kind == "f" else 0
     if infinite:
-        raise InputError(f"{header.path} holds infinite values in {infinite} cells; repair them or declare them as no data "
-                         "(--src-nodata)")
+        raise InputError(
+            f"{header.path} holds infinite values in {infinite} cells; repair them or declare them as no data "
+            "(--src-nodata)"
+        )
     if header.scale != 1 or header.offset != 0:
         values = values.astype(np.float64) * header.scale + header.offset
-        notes.append(f"stored numbers were multiplied by {header.scale:g} and {header.offset:g} was added, as the file says")
+        notes.append(
+            f"stored numbers were multiplied by {header.scale:g} and {header.offset:g} was added, as the file says"
+        )
     return Cells(values, valid, tuple(notes))
 
 
@@ -135,7 +143,11 @@ def read_raster(
     if not valid.any():
         raise InputError(f"{header.path} holds no data in any cell")
     if not valid.all():
-        exact = np.float32 if values.dtype in (np.float32, np.float16, np.int8, np.uint8, np.int16, np.uint16) else np.float64
+        exact = (
+            np.float32
+            if values.dtype in (np.float32, np.float16, np.int8, np.uint8, np.int16, np.uint16)
+            else np.float64
+        )
         values = np.where(valid, values, np.nan).astype(exact)
     return grid.dataarray(values, "raster", units=header.units, notes=list(cells.notes))
 
@@ -177,7 +189,9 @@ def read_variable(path: str | os.PathLike[str], name: str, *, remote: bool = Fal
     assert grid is not None
     array = planes[0] if variable.dims[0] != "direction" else np.stack(planes)
     data = grid.dataarray(array, name, long_name=variable.text, units=variable.units)
-    provenance = {key[len(TAG) :].lower(): value for key, value in headers[0].tags.items() if key.startswith(TAG)}
+    provenance = {
+        key[len(TAG) :].lower(): value for key, value in headers[0].tags.items() if key.startswith(TAG)
+    }
     return data.assign_attrs(provenance=provenance) if provenance else data
 
 
@@ -225,9 +239,15 @@ def _stored(header: Header, window: Window) -> tuple[np.ndarray, np.ndarray]:
         warnings.simplefilter("ignore", NotGeoreferencedWarning)
         try:
             values = source.read(header.band, window=where)
-            valid = source.read_masks(header.band, window=where) != 0 if header.masked else np.ones(values.shape, dtype=bool)
+            valid = (
+                source.read_masks(header.band, window=where) != 0
+                if header.masked
+                else np.ones(values.shape, dtype=bool)
+            )
         except (RasterioError, OSError) as error:
-            raise InputError(f"{header.path} is damaged or cut off: its values cannot be read; copy or export it again") from error
+            raise InputError(
+                f"{header.path} is damaged or cut off: its values cannot be read; copy or export it again"
+            ) from error
     return values, valid
 
 
@@ -266,11 +286,15 @@ def _require_bands(path: str | os.PathLike[str], variable: Variable, remote: boo
     with open_raster(path, remote=remote) as source:
         if source.count != expected:
             more = f" in the order {' '.join(DIRECTIONS)}" if expected > 1 else ""
-            raise InputError(f"{name} has {source.count} bands, expected {expected}{more} for {variable.name} ({variable.text})")
+            raise InputError(
+                f"{name} has {source.count} bands, expected {expected}{more} for {variable.name} ({variable.text})"
+            )
         told = [str(text).split(":")[0].strip().upper() if text else "" for text in source.descriptions]
     if expected > 1 and set(told) == set(DIRECTIONS) and tuple(told) != DIRECTIONS:
-        raise InputError(f"{name} has its bands in the order {' '.join(told)}, expected {' '.join(DIRECTIONS)}; "
-                         "reorder them, e.g. with gdal_translate -b")
+        raise InputError(
+            f"{name} has its bands in the order {' '.join(told)}, expected {' '.join(DIRECTIONS)}; "
+            "reorder them, e.g. with gdal_translate -b"
+        )
     return expected
 
 
@@ -278,13 +302,19 @@ def _as_variable(values: np.ndarray, valid: np.ndarray, variable: Variable, path
     """Bring one band to the type of the variable; refuse what does not fit."""
     inside = values[valid]
     if variable.minimum is not None and inside.size and (low := float(inside.min())) < variable.minimum:
-        raise InputError(f"{path} goes down to {low:g}, expected at least {variable.minimum:g} for {variable.name}")
+        raise InputError(
+            f"{path} goes down to {low:g}, expected at least {variable.minimum:g} for {variable.name}"
+        )
     if variable.maximum is not None and inside.size and (high := float(inside.max())) > variable.maximum:
-        raise InputError(f"{path} goes up to {high:g}, expected at most {variable.maximum:g} for {variable.name}")
+        raise InputError(
+            f"{path} goes up to {high:g}, expected at most {variable.maximum:g} for {variable.name}"
+        )
     kind = np.dtype(variable.dtype)
     if kind.kind == "f":
         missing: Any = -np.inf if variable.name == "priority" else np.nan
         return np.where(valid, values, missing).astype(kind)
     if values.dtype.kind == "f" and not np.array_equal(inside, np.round(inside)):
-        raise InputError(f"{path} holds fractions, expected whole numbers for {variable.name} ({variable.text})")
+        raise InputError(
+            f"{path} holds fractions, expected whole numbers for {variable.name} ({variable.text})"
+        )
     return np.where(valid, values, 0).astype(kind)

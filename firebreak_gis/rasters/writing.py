@@ -90,11 +90,15 @@ def write_raster(
 def _variable_of(data: xr.DataArray) -> Variable:
     variable = VARIABLES.get(str(data.name))
     if variable is None:
-        raise InputError(f"{data.name!r} is not a variable of the schema; expected one of {', '.join(VARIABLES)}")
+        raise InputError(
+            f"{data.name!r} is not a variable of the schema; expected one of {', '.join(VARIABLES)}"
+        )
     if data.dims != variable.dims or variable.dims[-2:] != ("y", "x"):
         raise InputError(f"{variable.name} has dims {data.dims}, expected {variable.dims} with y and x last")
     if variable.dims[0] == "direction" and data.sizes["direction"] != len(DIRECTIONS):
-        raise InputError(f"{variable.name} has {data.sizes['direction']} directions, expected {len(DIRECTIONS)}")
+        raise InputError(
+            f"{variable.name} has {data.sizes['direction']} directions, expected {len(DIRECTIONS)}"
+        )
     return variable
 
 
@@ -111,22 +115,44 @@ def _stored_values(values: np.ndarray, variable: Variable) -> np.ndarray:
     missing = np.isnan(values) if values.dtype.kind == "f" else np.zeros(values.shape, dtype=bool)
     if variable.name == "priority":
         if missing.any():
-            raise InputError(f"priority is NaN in {int(missing.sum())} cells; expected a number, or -inf where nothing burns")
+            raise InputError(
+                f"priority is NaN in {int(missing.sum())} cells; expected a number, or -inf where nothing burns"
+            )
         missing = np.isneginf(values)
     inside = values[~missing]
     if inside.size and not np.isfinite(inside).all():
-        raise InputError(f"{variable.name} holds infinite values; expected finite numbers, or NaN for no data")
-    if variable.nodata is not None and missing.any() and kind.kind == "f" and (inside == variable.nodata).any():
-        raise InputError(f"{variable.name} holds {variable.nodata:g}, which stands for no data in files; shift the values")
-    for bound, wrong, word in ((variable.minimum, np.less, "at least"), (variable.maximum, np.greater, "at most")):
+        raise InputError(
+            f"{variable.name} holds infinite values; expected finite numbers, or NaN for no data"
+        )
+    if (
+        variable.nodata is not None
+        and missing.any()
+        and kind.kind == "f"
+        and (inside == variable.nodata).any()
+    ):
+        raise InputError(
+            f"{variable.name} holds {variable.nodata:g}, which stands for no data in files; shift the values"
+        )
+    for bound, wrong, word in (
+        (variable.minimum, np.less, "at least"),
+        (variable.maximum, np.greater, "at most"),
+    ):
         if bound is not None and inside.size and wrong(inside, bound).any():
-            raise InputError(f"{variable.name} goes from {inside.min():g} to {inside.max():g}, expected {word} {bound:g}")
+            raise InputError(
+                f"{variable.name} goes from {inside.min():g} to {inside.max():g}, expected {word} {bound:g}"
+            )
     if kind.kind != "f" and values.dtype.kind == "f" and not np.array_equal(inside, np.round(inside)):
         raise InputError(f"{variable.name} holds fractions, expected whole numbers")
-    filled = np.where(missing, 0 if variable.nodata is None else variable.nodata, values) if missing.any() else values
+    filled = (
+        np.where(missing, 0 if variable.nodata is None else variable.nodata, values)
+        if missing.any()
+        else values
+    )
     stored = filled.astype(kind)
     if kind.kind == "f" and variable.nodata is not None and (stored[~missing] == variable.nodata).any():
-        raise InputError(f"{variable.name} holds {variable.nodata:g}, which stands for no data in files; shift the values")
+        raise InputError(
+            f"{variable.name} holds {variable.nodata:g}, which stands for no data in files; shift the values"
+        )
     return np.ascontiguousarray(stored)
 
 
@@ -135,16 +161,29 @@ def _lower(options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _write(
-    part: Path, planes: np.ndarray, grid: Grid, variable: Variable, provenance: Mapping[str, Any], options: Mapping[str, Any]
+    part: Path,
+    planes: np.ndarray,
+    grid: Grid,
+    variable: Variable,
+    provenance: Mapping[str, Any],
+    options: Mapping[str, Any],
 ) -> None:
     import rasterio
     from rasterio.errors import NotGeoreferencedWarning
 
     classes = bool(variable.classes) or variable.dtype == "bool"
     profile: dict[str, Any] = {
-        "driver": "COG", "count": planes.shape[0], "height": grid.shape[0], "width": grid.shape[1],
-        "dtype": planes.dtype.name, "transform": grid.transform, "nodata": variable.nodata,
-        "compress": "DEFLATE", "predictor": "YES", "bigtiff": "IF_SAFER", "num_threads": 1,
+        "driver": "COG",
+        "count": planes.shape[0],
+        "height": grid.shape[0],
+        "width": grid.shape[1],
+        "dtype": planes.dtype.name,
+        "transform": grid.transform,
+        "nodata": variable.nodata,
+        "compress": "DEFLATE",
+        "predictor": "YES",
+        "bigtiff": "IF_SAFER",
+        "num_threads": 1,
         # The default is cubic, which invents classes.
         "overview_resampling": "MODE" if classes else "AVERAGE",
         **options,
@@ -161,7 +200,9 @@ def _write(
         except FirebreakError:
             raise
         except Exception as error:  # GDAL tells a full disk by private classes, and only on closing
-            raise OutputError(f"cannot write the raster {variable.name}: {error}; is the disk full?") from error
+            raise OutputError(
+                f"cannot write the raster {variable.name}: {error}; is the disk full?"
+            ) from error
 
 
 def _describe(target: Any, variable: Variable, provenance: Mapping[str, Any]) -> None:
@@ -189,14 +230,20 @@ def _verify(part: Path, planes: np.ndarray, grid: Grid, variable: Variable) -> N
         crs = None if source.crs is None else parse_crs(source.crs.to_wkt())
         found = Grid((source.height, source.width), source.transform, crs)
         if found.shape != grid.shape or not found.transform.almost_equals(grid.transform, precision=1e-6):
-            raise VerificationError(f"{variable.name}: written on {grid.describe()}, read back on {found.describe()}")
+            raise VerificationError(
+                f"{variable.name}: written on {grid.describe()}, read back on {found.describe()}"
+            )
         if (crs is None) != (grid.crs is None):
             raise VerificationError(f"{variable.name}: the CRS was lost in the file")
         if source.nodata != variable.nodata and not (source.nodata is None and variable.nodata is None):
-            raise VerificationError(f"{variable.name}: no data written as {variable.nodata}, read back as {source.nodata}")
+            raise VerificationError(
+                f"{variable.name}: no data written as {variable.nodata}, read back as {source.nodata}"
+            )
         for band, plane in enumerate(planes, start=1):
             if not np.array_equal(source.read(band), plane):
-                raise VerificationError(f"{variable.name}: band {band} does not read back as it was written; is the disk failing?")
+                raise VerificationError(
+                    f"{variable.name}: band {band} does not read back as it was written; is the disk failing?"
+                )
 
 
 def _write_style(place: Path, values: np.ndarray, variable: Variable, overwrite: bool) -> None:

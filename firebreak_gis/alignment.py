@@ -1,0 +1,242 @@
+"""Laying one layer on the grid: copied where it fits, else warped, never the wrong way round.
+
+Quantities are warped by bilinear interpolation, or by the average when cells get coarser; classes by
+the nearest cell, or the mode. "Coarser" means that a cell of the grid covers at least two of the layer.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from affine import Affine
+
+from firebreak_gis.errors import InputError, VerificationError
+from firebreak_gis.grid import SAME_GRID_TOLERANCE, Grid, crs_name
+from firebreak_gis.projections import outline
+from firebreak_gis.rasters import Cells, Header, read_cells
+from firebreak_gis.target_grid import Account, cell_in
+
+if TYPE_CHECKING:
+    from firebreak_gis.rasters.reading import Window
+
+#: A cell of the grid that covers this many cells of a layer is filled by average or mode.
+COARSER = 2.0
+#: Stands for "no data" among class codes.
+MISSING = -1
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How a layer comes onto the grid.
+
+    Parameters
+    ----------
+    window
+        Part of the layer that is read (first row, first column, rows, columns), counted from the
+        north-west of an upright layer; zero rows or columns if nothing lies on the grid.
+    copy
+        Whether the window is the grid, so that nothing is computed.
+    coarser
+        Whether average and mode are used.
+    cells
+        Sides of a cell of the layer, measured on the grid.
+    """
+
+    window: Window
+    copy: bool
+    coarser: bool
+    cells: tuple[float, float]
+
+
+def plan(header: Header, grid: Grid) -> Plan:
+    """Decide from the header alone how a layer comes onto the grid."""
+    transform = _upright(header)
+    left, bottom, right, top = grid.bounds
+    assert grid.crs is not None
+    sides = cell_in(header, grid.crs, (left + right) / 2, (bottom + top) / 2)
+    fit = _fit(transform, header, grid)
+    if fit is not None:
+        return Plan((*fit, *grid.shape), copy=True, coarser=False, cells=sides)
+    coarser = grid.cell_size**2 >= COARSER * sides[0] * sides[1]
+    return Plan(_window(transform, header, grid, sides), copy=False, coarser=coarser, cells=sides)
+
+
+def align_values(
+    header: Header, grid: Grid, name: str, account: Account, *, strict: bool = False
+) -> np.ndarray:
+    """Return a quantity on the grid as float32 (rows, cols), NaN for no data.
+
+    Raises
+    ------
+    InputError
+        If the values cannot be used (see `rasters.read_cells`).
+    """
+    how = plan(header, grid)
+    cells = _read(header, how, strict, sentinels=True)
+    account.warnings.extend(f"{name}: {note}" for note in cells.notes)
+    values = np.where(cells.valid, cells.values, np.nan).astype(np.float32)
+    account.alignment.append(_sentence(name, header, how, grid, "average" if how.coarser else "bilinear"))
+    if how.copy:
+        return values
+    result = np.full(grid.shape, np.nan, dtype=np.float32)
+    if values.size:
+        _warp(values, result, header, how, grid, "average" if how.coarser else "bilinear", nodata=math.nan)
+    return result
+
+
+def align_classes(header: Header, grid: Grid, name: str, account: Account) -> np.ndarray:
+    """Return class codes on the grid as int32 (rows, cols), MISSING (-1) for no data.
+
+    Raises
+    ------
+    InputError
+        If the codes are not whole numbers, or negative.
+    VerificationError
+        If a code came out that did not go in.
+    """
+    how = plan(header, grid)
+    cells = _read(header, how, strict=False, sentinels=False)
+    account.warnings.extend(f"{name}: {note}" for note in cells.notes)
+    codes = _as_codes(cells, header)
+    account.alignment.append(_sentence(name, header, how, grid, "mode" if how.coarser else "nearest"))
+    if how.copy:
+        return codes
+    result = np.full(grid.shape, MISSING, dtype=np.int32)
+    if codes.size:
+        # Missing cells vote as a class of their own: bare land must not vanish when cells get coarser.
+        _warp(codes, result, header, how, grid, "mode" if how.coarser else "nearest", nodata=None)
+    new = np.setdiff1d(result, codes)
+    if np.any(new != MISSING):
+        raise VerificationError(
+            f"{name}: aligning made the codes {new[new != MISSING][:5]}, which were not in the raster"
+        )
+    return result
+
+
+def _upright(header: Header) -> Affine:
+    """Transform of the layer once it is turned north-up; unchanged if it is rotated."""
+    t = header.transform
+    if t.b != 0 or t.d != 0:
+        return t
+    left, _, _, top = header.bounds
+    return Affine(abs(t.a), 0.0, left, 0.0, -abs(t.e), top)
+
+
+def _fit(transform: Affine, header: Header, grid: Grid) -> tuple[int, int] | None:
+    """Row and column of the layer at which the grid begins, if its cells are cells of the layer."""
+    if header.crs != grid.crs or transform.b != 0 or transform.d != 0:
+        return None
+    rows, cols = grid.shape
+    corners = [~transform @ (grid.transform @ corner) for corner in ((0, 0), (cols, rows))]
+    if any(abs(v - round(v)) > SAME_GRID_TOLERANCE for corner in corners for v in corner):
+        return None
+    (col, row), (last_col, last_row) = [(round(c), round(r)) for c, r in corners]
+    if (last_col - col, last_row - row) != (cols, rows) or col < 0 or row < 0:
+        return None
+    return (row, col) if last_row <= header.shape[0] and last_col <= header.shape[1] else None
+
+
+def _window(transform: Affine, header: Header, grid: Grid, sides: tuple[float, float]) -> Window:
+    """Part of the layer that touches the grid, with a margin for interpolation and curved edges."""
+    from pyproj import Transformer
+
+    x, y = outline(grid.transform, grid.shape, points=41)
+    if header.crs != grid.crs:
+        x, y = Transformer.from_crs(grid.crs, header.crs, always_xy=True).transform(x, y)
+    if header.crs is not None and header.crs.is_geographic:
+        # The same turn of the globe as the layer.
+        x = np.unwrap(x, period=360.0)
+        x = x - 360.0 * round((float(x.mean()) - (header.bounds[0] + header.bounds[2]) / 2) / 360.0)
+    col, row = ~transform @ (np.asarray(x), np.asarray(y))
+    margin = 3 + math.ceil(2 * grid.cell_size / min(sides))
+    rows, cols = header.shape
+    first_row, last_row = max(math.floor(row.min()) - margin, 0), min(math.ceil(row.max()) + margin, rows)
+    first_col, last_col = max(math.floor(col.min()) - margin, 0), min(math.ceil(col.max()) + margin, cols)
+    return first_row, first_col, max(last_row - first_row, 0), max(last_col - first_col, 0)
+
+
+def _read(header: Header, how: Plan, strict: bool, sentinels: bool) -> Cells:
+    """Read the window of a plan, turned north-up."""
+    row, col, rows, cols = how.window
+    if rows == 0 or cols == 0:
+        empty = np.zeros((0, 0))
+        return Cells(empty, empty.astype(bool))
+    t = header.transform
+    straight = t.b == 0 and t.d == 0
+    down = straight and t.e > 0
+    back = straight and t.a < 0
+    first_row = header.shape[0] - row - rows if down else row
+    first_col = header.shape[1] - col - cols if back else col
+    cells = read_cells(header, (first_row, first_col, rows, cols), strict=strict, sentinels=sentinels)
+    turn = (slice(None, None, -1 if down else 1), slice(None, None, -1 if back else 1))
+    return Cells(cells.values[turn], cells.valid[turn], cells.notes)
+
+
+def _as_codes(cells: Cells, header: Header) -> np.ndarray:
+    inside = cells.values[cells.valid]
+    if inside.dtype.kind == "f":
+        broken = inside[inside != np.round(inside)]
+        if broken.size:
+            raise InputError(
+                f"{header.path} holds fractions such as {broken[0]:g} where class codes are expected; it looks resampled: make it "
+                "again with nearest, or, if it is a quantity such as cover in percent, give a legend with ranges"
+            )
+    if inside.size and (inside.min() < -(2**31) or inside.max() >= 2**31):
+        raise InputError(f"{header.path} holds codes up to {inside.max():g}, too great for class codes")
+    if inside.size and (inside < 0).any():
+        wrong = np.unique(inside[inside < 0])[:5]
+        raise InputError(
+            f"{header.path} holds the negative codes {', '.join(f'{v:g}' for v in wrong)}, expected class codes from 0; "
+            f"if they mean no data, say so (--src-nodata {wrong[0]:g})"
+        )
+    # np.where(valid, values, -1) would keep the type of the raster and turn -1 into class 255.
+    codes = np.full(cells.values.shape, MISSING, dtype=np.int32)
+    codes[cells.valid] = inside
+    return codes
+
+
+def _warp(
+    values: np.ndarray,
+    result: np.ndarray,
+    header: Header,
+    how: Plan,
+    grid: Grid,
+    method: str,
+    nodata: float | None,
+) -> None:
+    """Fill `result` from `values`; exact transformation, one thread, so that any tiling gives the same."""
+    from rasterio.enums import Resampling
+    from rasterio.warp import reproject
+
+    assert header.crs is not None
+    assert grid.crs is not None
+    offset = Affine.translation(how.window[1], how.window[0])
+    reproject(
+        np.ascontiguousarray(values),
+        result,
+        src_transform=_upright(header) @ offset,
+        src_crs=header.crs.to_wkt(),
+        dst_transform=grid.transform,
+        dst_crs=grid.crs.to_wkt(),
+        src_nodata=nodata,
+        dst_nodata=nodata,
+        # Without "no data" the result keeps what it was filled with.
+        init_dest_nodata=nodata is not None,
+        resampling=Resampling[method],
+        tolerance=0,
+        num_threads=1,
+    )
+
+
+def _sentence(name: str, header: Header, how: Plan, grid: Grid, method: str) -> str:
+    assert header.crs is not None
+    if how.copy:
+        return f"{name}: copied cell by cell, its cells are those of the grid"
+    t = header.transform
+    turned = ", rotated" if t.b != 0 or t.d != 0 else ", south-up" if t.e > 0 else ""
+    what = f"cells of {abs(t.a):.6g} x {abs(t.e):.6g} in {crs_name(header.crs)}{turned}"
+    width, height = how.cells
+    return f"{name}: resampled by {method} from {what} (about {width:.4g} x {height:.4g} m) to {grid.cell_size:g} m"

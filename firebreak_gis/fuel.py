@@ -1,0 +1,155 @@
+"""From codes on the grid to vegetation and density classes, by the legends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from firebreak_gis.errors import LegendError
+from firebreak_gis.grid import Grid
+from firebreak_gis.legends import Legend
+from firebreak_gis.schema import DENSITY
+from firebreak_gis.target_grid import Account
+
+#: So many unknown codes are listed in a message.
+LISTED = 8
+
+
+@dataclass(frozen=True)
+class Fuel:
+    """Fuel on the grid, all arrays (rows, cols).
+
+    Parameters
+    ----------
+    vegetation, density
+        uint8 class codes of the schema; density is 0 where vegetation is.
+    vegetation_effect, density_effect
+        float32 effects in place of classes, NaN where the class counts; None if no legend gives any.
+    """
+
+    vegetation: np.ndarray
+    density: np.ndarray
+    vegetation_effect: np.ndarray | None = None
+    density_effect: np.ndarray | None = None
+
+
+def fuel_of(
+    codes: np.ndarray,
+    cover: np.ndarray | str | None,
+    legend: Legend,
+    density_legend: Legend,
+    grid: Grid,
+    account: Account,
+    unknown: str = "refuse",
+) -> Fuel:
+    """Look the codes up.
+
+    Parameters
+    ----------
+    codes
+        Vegetation codes as floats, NaN for no data.
+    cover
+        Density codes (or a quantity) likewise; the name of one class; or None.
+    legend, density_legend
+        For `codes` and `cover`.
+    grid
+        For the areas in messages.
+    account
+        Warnings are added to it.
+    unknown
+        "refuse" or "nonburnable".
+
+    Raises
+    ------
+    LegendError
+        For codes that the legend does not list, with their areas.
+    """
+    index = _look_up(codes, legend, "vegetation", grid, account, unknown)
+    vegetation = legend.column("vegetation", 0)[index].astype(np.uint8)
+    vegetation_effect = _effect(legend, "vegetation_effect", index)
+    density = legend.column("density", np.nan)[index]
+    density_effect = _effect(legend, "density_effect", index)
+    if cover is not None:
+        replaced = (legend.column("density_from_raster", 1)[index] == 1) | np.isnan(density)
+        if isinstance(cover, str):
+            given, given_effect = np.full(grid.shape, float(_density_code(cover))), None
+        else:
+            where = _look_up(
+                np.where(vegetation > 0, cover, np.nan), density_legend, "density", grid, account, unknown
+            )
+            given = density_legend.column("density", np.nan)[where]
+            given_effect = _effect(density_legend, "density_effect", where)
+        density = np.where(replaced, given, density)
+        density_effect = _merge(density_effect, given_effect, replaced)
+    lacking = np.isnan(density) & (vegetation > 0)
+    if lacking.any():
+        account.warnings.append(
+            f"{int(lacking.sum())} cells with vegetation have no density and are taken as not burnable "
+            f"({lacking.mean():.2%} of the grid)"
+        )
+    classes = np.where(np.isnan(density) | (vegetation == 0), 0, density).astype(np.uint8)
+    return Fuel(
+        vegetation, classes, _only(vegetation_effect, classes > 0), _only(density_effect, classes > 0)
+    )
+
+
+def _density_code(name: str) -> int:
+    return next(code for code, label in DENSITY.items() if label == name)
+
+
+def _effect(legend: Legend, field: str, index: np.ndarray) -> np.ndarray | None:
+    column = legend.column(field, np.nan)
+    return None if np.isnan(column).all() else np.asarray(column[index], dtype=np.float32)
+
+
+def _merge(own: np.ndarray | None, given: np.ndarray | None, replaced: np.ndarray) -> np.ndarray | None:
+    if own is None and given is None:
+        return None
+    blank = np.full(replaced.shape, np.nan, dtype=np.float32)
+    return np.where(replaced, blank if given is None else given, blank if own is None else own)
+
+
+def _only(effect: np.ndarray | None, where: np.ndarray) -> np.ndarray | None:
+    return None if effect is None else np.where(where, effect, np.float32(np.nan))
+
+
+def _look_up(
+    values: np.ndarray, legend: Legend, name: str, grid: Grid, account: Account, unknown: str
+) -> np.ndarray:
+    """Index of the legend's entry for each cell, -1 where there is no data."""
+    index = legend.find(values)
+    strange = (index < 0) & np.isfinite(values)
+    if not strange.any():
+        return index
+    told = _areas(values[strange], legend, grid)
+    if unknown == "refuse":
+        raise LegendError(
+            f"the {name} raster holds codes that the legend {legend.name} does not list: {told}. Give the right legend "
+            f"(--legend, --density-legend), add the codes to an own one, declare no data (--src-nodata {name}=...), or take them "
+            "as land without fuel (--unknown nonburnable)" + _hint(values[strange], legend, name)
+        )
+    account.warnings.append(
+        f"{name}: codes not in the legend {legend.name} were taken as land without fuel: {told}"
+    )
+    return index
+
+
+def _areas(values: np.ndarray, legend: Legend, grid: Grid) -> str:
+    if legend.continuous:
+        return f"{values.min():g} to {values.max():g} ({values.size * grid.cell_area_ha:.6g} ha)"
+    codes, counts = np.unique(values, return_counts=True)
+    order = np.argsort(-counts, kind="stable")[:LISTED]
+    told = ", ".join(f"{codes[i]:g} ({counts[i] * grid.cell_area_ha:.6g} ha)" for i in sorted(order))
+    return told + (f" and {codes.size - LISTED} more" if codes.size > LISTED else "")
+
+
+def _hint(values: np.ndarray, legend: Legend, name: str) -> str:
+    if (
+        name == "density"
+        and not legend.continuous
+        and values.max() <= 100
+        and np.unique(values).size > LISTED
+    ):
+        return "; if it is a cover in percent, take the density legend canopy_cover or tree_cover_density"
+    return ""

@@ -1,0 +1,399 @@
+"""From any rasters to one landscape: terrain, vegetation and density on one square grid in metres."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from firebreak_gis.alignment import align_classes, align_values, plan
+from firebreak_gis.errors import InputError, LegendError, OutputError, ParameterError
+from firebreak_gis.files import make_folder, require_writable
+from firebreak_gis.fuel import Fuel, fuel_of
+from firebreak_gis.grid import Grid
+from firebreak_gis.legends import Legend, read_legend
+from firebreak_gis.memory import require_memory
+from firebreak_gis.progress import Progress, silent
+from firebreak_gis.rasters import Header, header_of_array, read_header, read_variable, write_raster
+from firebreak_gis.schema import DENSITY, annotate, validate
+from firebreak_gis.target_grid import Account, choose_grid
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: Layers of a landscape folder; the last two only where a legend gives effects as numbers.
+LAYERS = ("elevation", "vegetation", "density")
+EFFECTS = ("vegetation_effect", "density_effect")
+
+#: Metres per unit, by the words that files use.
+METRES: Mapping[str, float] = {
+    "": 1.0,
+    "m": 1.0,
+    "metre": 1.0,
+    "metres": 1.0,
+    "meter": 1.0,
+    "meters": 1.0,
+    "1": 1.0,
+    "unknown": 1.0,
+    "ft": 0.3048,
+    "feet": 0.3048,
+    "foot": 0.3048,
+    "international foot": 0.3048,
+    "us-ft": 1200 / 3937,
+    "us survey foot": 1200 / 3937,
+    "ftus": 1200 / 3937,
+    "foot_us": 1200 / 3937,
+    "km": 1000.0,
+    "dm": 0.1,
+    "cm": 0.01,
+    "mm": 0.001,
+}
+#: Elevations in metres that exist on land; the deepest sea bed.
+HIGHEST, LOWEST, DEEPEST = 9000.0, -500.0, -12000.0
+
+
+def read_landscape(
+    dem: str | os.PathLike[str] | xr.DataArray,
+    vegetation: str | os.PathLike[str] | xr.DataArray,
+    density: str | os.PathLike[str] | xr.DataArray | None = None,
+    *,
+    legend: str | os.PathLike[str] | Legend = "paper",
+    density_legend: str | os.PathLike[str] | Legend = "density",
+    crs: Any = None,
+    resolution: float | None = None,
+    bounds: tuple[float, float, float, float] | None = None,
+    like: str | os.PathLike[str] | Grid | xr.DataArray | None = None,
+    src_nodata: Mapping[str, float | Sequence[float]] | None = None,
+    band: Mapping[str, int] | None = None,
+    unknown: Literal["refuse", "nonburnable"] = "refuse",
+    strict: bool = False,
+    remote: bool = False,
+    max_memory: int | None = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Lay terrain, vegetation and density on one square grid in a projected CRS in metres.
+
+    The layers may have any CRS, extent, cell size and orientation. Elevation is interpolated, classes
+    are never mixed; a layer whose cells already are those of the grid is copied.
+
+    Parameters
+    ----------
+    dem
+        Elevation: a path, or an array with CRS as rioxarray keeps it. Feet are turned into metres
+        where the file says so.
+    vegetation
+        Class codes that `legend` lists.
+    density
+        Class codes, or a cover, that `density_legend` lists; or one class for all fuel ("sparse",
+        "normal", "dense"); may be left out where `legend` gives the densities.
+    legend, density_legend
+        Built-in name (`legends.names`), path of a CSV file, or a `Legend`.
+    crs
+        CRS of the result; by default that of the DEM if it is in true metres, else UTM.
+    resolution
+        Cell size in metres; by default that of the DEM.
+    bounds
+        (left, bottom, right, top) in the CRS of the result; by default what all layers cover.
+    like
+        Path, `Grid` or array whose grid is taken; excludes `crs`, `resolution`, `bounds`.
+    src_nodata, band
+        By layer ("dem", "vegetation", "density"): value or values that mean "no data", and band number.
+    unknown
+        What codes missing from the legend are: an error, or land without fuel.
+    strict
+        Refuse undeclared "no data" values in the DEM instead of masking them.
+    remote
+        Whether network addresses and paths into archives are allowed.
+    max_memory
+        Limit in bytes; checked from the headers before anything is read.
+    progress
+        Called with the share done and a text.
+
+    Returns
+    -------
+    xarray.Dataset
+        `elevation` float32 [m], `vegetation` uint8 (0 none, 1 agricultural, 2 shrubs, 3 pines),
+        `density` uint8 (0 none, 1 sparse, 2 normal, 3 dense), `burnable` bool, dims (y, x); with numbers
+        in a legend also `vegetation_effect`, `density_effect` float32, NaN where the class counts.
+        `attrs["alignment"]` and `attrs["warnings"]` are lists of sentences.
+
+    Raises
+    ------
+    InputError
+        If a layer cannot be used; `CRSError`, `GridError`, `LegendError` say more closely why.
+    ParameterError
+        If a parameter is impossible.
+    ResourceError
+        If the work would not fit into memory.
+    """
+    report = progress or silent
+    if unknown not in ("refuse", "nonburnable"):
+        raise ParameterError(f"unknown is {unknown!r}, expected refuse or nonburnable")
+    table, density_table = _legends(legend, density_legend, density)
+    constant = density if isinstance(density, str) and density in DENSITY.values() else None
+    sources = {"elevation": dem, "vegetation": vegetation}
+    if density is not None and constant is None:
+        sources["density"] = density
+    layers = _headers(sources, src_nodata or {}, band or {}, remote)
+    account = Account()
+    grid = choose_grid(layers, account, crs=crs, resolution=resolution, bounds=bounds, like=like)
+    require_memory(
+        memory_needed(layers, grid),
+        f"a landscape of {grid.shape[0]} x {grid.shape[1]} cells",
+        max_memory=max_memory,
+    )
+
+    report(0.1, "elevation")
+    elevation = _elevation(layers["elevation"], grid, account, strict)
+    report(0.4, "vegetation")
+    codes = _align_coded(layers["vegetation"], grid, "vegetation", table, account)
+    report(0.7, "density")
+    cover = (
+        _align_coded(layers["density"], grid, "density", density_table, account)
+        if "density" in layers
+        else None
+    )
+    report(0.9, "legend")
+    fuel = fuel_of(
+        codes, cover if constant is None else constant, table, density_table, grid, account, unknown
+    )
+    result = _assemble(grid, elevation, fuel, account)
+    result.attrs.update(legend=table.name, alignment=account.alignment, warnings=account.warnings)
+    report(1.0, "landscape read")
+    return result
+
+
+def memory_needed(layers: Mapping[str, Header], grid: Grid) -> int:
+    """Estimate the peak memory of `read_landscape` in bytes, from the headers alone."""
+    cells = grid.shape[0] * grid.shape[1]
+    largest = 0
+    for header in layers.values():
+        how = plan(header, grid)
+        window = how.window[2] * how.window[3]
+        stored = 0 if header.array is not None else np.dtype(header.dtype).itemsize
+        # Values, the same scaled or masked, the mask, and the array that is warped.
+        largest = max(largest, window * (stored + 8 + 2 + 4))
+    return 40 * cells + largest
+
+
+def write_landscape(
+    dataset: xr.Dataset,
+    folder: str | os.PathLike[str],
+    *,
+    overwrite: bool = False,
+    provenance: Mapping[str, Any] | None = None,
+    forbid: Iterable[str | os.PathLike[str]] = (),
+) -> list[Path]:
+    """Write the layers of a landscape as elevation.tif, vegetation.tif, density.tif (and effects).
+
+    Parameters
+    ----------
+    dataset
+        From `read_landscape`.
+    folder
+        Made if it is missing.
+    overwrite, provenance, forbid
+        As in `rasters.write_raster`; nothing is written if one of the files must not be.
+
+    Returns
+    -------
+    list of pathlib.Path
+        The files, in order.
+    """
+    names = [name for name in LAYERS + EFFECTS if name in dataset]
+    validate(dataset, [*LAYERS, *names[len(LAYERS) :]])
+    place = make_folder(folder)
+    barred = list(forbid)
+    for name in names:
+        require_writable(place / f"{name}.tif", overwrite=overwrite, forbid=barred)
+    for name in set(EFFECTS) - set(names):
+        # An effect of another landscape would be taken for one of this.
+        old = place / f"{name}.tif"
+        if old.exists() and not overwrite:
+            raise OutputError(
+                f"{old} belongs to another landscape; choose another folder or allow overwriting (--overwrite)"
+            )
+        old.unlink(missing_ok=True)
+    told = {key: list(dataset.attrs[key]) for key in ("alignment", "warnings") if key in dataset.attrs}
+    told |= {"legend": dataset.attrs["legend"]} if "legend" in dataset.attrs else {}
+    return [
+        write_raster(
+            place / f"{name}.tif",
+            dataset[name],
+            overwrite=overwrite,
+            forbid=barred,
+            provenance={**(provenance or {}), **(told if name == "elevation" else {})},
+        )
+        for name in names
+    ]
+
+
+def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:
+    """Read what `write_landscape` wrote; equal to the dataset that was written.
+
+    Raises
+    ------
+    InputError
+        If a layer is missing or damaged; `GridError` if the layers lie on different grids.
+    """
+    import xarray as xr
+
+    place = Path(folder)
+    if not place.is_dir():
+        raise InputError(
+            f"{place} is not a folder with {', '.join(f'{name}.tif' for name in LAYERS)}; make one with: firebreak align"
+        )
+    missing = [f"{name}.tif" for name in LAYERS if not (place / f"{name}.tif").exists()]
+    if missing:
+        raise InputError(
+            f"the landscape folder {place} lacks {', '.join(missing)}; make it with: firebreak align"
+        )
+    names = list(LAYERS) + [name for name in EFFECTS if (place / f"{name}.tif").exists()]
+    arrays = {name: read_variable(place / f"{name}.tif", name) for name in names}
+    grid = Grid.of(arrays["elevation"])
+    grid.cell_size  # noqa: B018 - refuses cells that are not square
+    for name in names[1:]:
+        grid.require(Grid.of(arrays[name]), f"{name}.tif")
+    told = arrays["elevation"].attrs.get("provenance", {})
+    variables = {name: annotate(grid.dataarray(array.to_numpy(), name)) for name, array in arrays.items()}
+    dataset = xr.Dataset(variables)
+    dataset["burnable"] = annotate(grid.dataarray(_burnable(dataset), "burnable"))
+    dataset.attrs = {"legend": told["legend"]} if "legend" in told else {}
+    dataset.attrs |= {key: json.loads(told.get(key, "[]")) for key in ("alignment", "warnings")}
+    return dataset
+
+
+def _legends(legend: Any, density_legend: Any, density: Any) -> tuple[Legend, Legend]:
+    table, density_table = read_legend(legend), read_legend(density_legend)
+    if not table.has_vegetation:
+        raise LegendError(
+            f"the legend {table.name} does not give the vegetation of every code; it may be one for densities"
+        )
+    if density is None and not table.has_density:
+        raise LegendError(
+            f"no density: the legend {table.name} gives none. Give a density raster, or one class for all fuel "
+            '(density="normal"), or a legend with densities (see legends.names() or firebreak legends)'
+        )
+    if not density_table.has_density:
+        raise LegendError(f"the density legend {density_table.name} does not give the density of every code")
+    return table, density_table
+
+
+def _headers(
+    sources: Mapping[str, Any], src_nodata: Mapping[str, Any], band: Mapping[str, int], remote: bool
+) -> dict[str, Header]:
+    public = {"dem": "elevation", "elevation": "elevation", "vegetation": "vegetation", "density": "density"}
+    for word, mapping in (("src_nodata", src_nodata), ("band", band)):
+        wrong = set(mapping) - set(public)
+        if wrong:
+            raise ParameterError(
+                f"{word} names {', '.join(sorted(wrong))}, expected dem, vegetation or density"
+            )
+    nodata = {public[key]: value for key, value in src_nodata.items()}
+    bands = {public[key]: value for key, value in band.items()}
+    headers = {}
+    for name, source in sources.items():
+        if isinstance(source, str | os.PathLike):
+            headers[name] = read_header(
+                source, band=bands.get(name), src_nodata=nodata.get(name), remote=remote
+            )
+        else:
+            headers[name] = header_of_array(source, src_nodata=nodata.get(name))
+    if headers["elevation"].palette:
+        raise InputError(
+            f"{headers['elevation'].path} has a colour table: it is a map of classes or a picture, not elevations"
+        )
+    return headers
+
+
+def _align_coded(header: Header, grid: Grid, name: str, table: Legend, account: Account) -> np.ndarray:
+    """Codes as floats (rows, cols), NaN for no data."""
+    if table.continuous:
+        values = align_values(header, grid, name, account)
+        present = values[np.isfinite(values)]
+        top = max(entry.high for entry in table.entries)
+        if present.size and top >= 50 and 0 < present.max() <= 1 and (present != np.round(present)).any():
+            raise LegendError(
+                f"{header.path} looks like a fraction (0 to 1), the legend {table.name} goes up to {top:g}; scale it "
+                "or give a legend for fractions"
+            )
+        coded = values.astype(np.float64)
+    else:
+        codes = align_classes(header, grid, name, account)
+        coded = np.where(codes < 0, np.nan, codes)
+    if not np.isfinite(coded).any():
+        raise InputError(
+            f"{header.path} ({name}) holds no data on the grid; is its no-data value the true one?"
+        )
+    return coded
+
+
+def _elevation(header: Header, grid: Grid, account: Account, strict: bool) -> np.ndarray:
+    """Elevation on the grid in metres, NaN for no data."""
+    values = align_values(header, grid, "elevation", account, strict=strict)
+    word = header.units.strip().lower()
+    if word not in METRES:
+        raise InputError(
+            f"{header.path} is in {header.units!r}, expected elevations in m or ft; set the true unit: gdal_edit.py -units m FILE"
+        )
+    factor = METRES[word]
+    if word in ("", "1", "unknown") and header.vertical is not None:
+        factor = header.vertical
+    if factor != 1:
+        values *= np.float32(factor)
+        account.alignment.append(
+            f"elevation: multiplied by {factor:.9g} to get metres from {header.units or 'the unit of its CRS'}"
+        )
+    if not np.isfinite(values).any():
+        raise InputError(
+            f"{header.path} (elevation) holds no data on the grid; is its no-data value the true one?"
+        )
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    if high > HIGHEST or low < DEEPEST:
+        raise InputError(
+            f"{header.path} has elevations from {low:g} to {high:g} m, expected {DEEPEST:g} to {HIGHEST:g}; declare its no-data "
+            "value (--src-nodata) or its unit (gdal_edit.py -units ft FILE)"
+        )
+    deep = values < LOWEST
+    if deep.any():
+        values[deep] = np.nan
+        account.warnings.append(
+            f"elevation: {int(deep.sum())} cells below {LOWEST:g} m were taken as sea bed, without elevation"
+        )
+    return values
+
+
+def _burnable(dataset: Mapping[Any, Any]) -> np.ndarray:
+    elevation, vegetation, density = (np.asarray(dataset[name]) for name in LAYERS)
+    return np.asarray((vegetation > 0) & (density > 0) & np.isfinite(elevation))
+
+
+def _assemble(grid: Grid, elevation: np.ndarray, fuel: Fuel, account: Account) -> xr.Dataset:
+    import xarray as xr
+
+    layers: dict[str, np.ndarray] = {
+        "elevation": elevation,
+        "vegetation": fuel.vegetation,
+        "density": fuel.density,
+    }
+    if fuel.vegetation_effect is not None:
+        layers["vegetation_effect"] = fuel.vegetation_effect
+    if fuel.density_effect is not None:
+        layers["density_effect"] = fuel.density_effect
+    burnable = _burnable(layers)
+    blind = int(np.count_nonzero((fuel.vegetation > 0) & (fuel.density > 0) & ~np.isfinite(elevation)))
+    if blind:
+        account.warnings.append(
+            f"{blind} cells with fuel have no elevation and are taken as not burnable "
+            f"({blind / burnable.size:.2%} of the grid)"
+        )
+    if not burnable.any():
+        raise InputError(
+            "no cell can burn: nowhere do vegetation, density and elevation meet; check the legend and the no-data values"
+        )
+    layers["burnable"] = burnable
+    return xr.Dataset({name: annotate(grid.dataarray(values, name)) for name, values in layers.items()})
