@@ -1,0 +1,61 @@
+"""Plan wildfire fire breaks: rasters in, a spread network, ranked cells, breaks and burn maps out.
+
+Data goes one way: files -> landscape -> spread network -> priority -> breaks -> burns -> evaluation -> report.
+Each arrow is one function of this package; names are loaded on first use, so importing it costs nothing.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from firebreak_gis.breaks import break_polygons, removal_order, select_breaks
+    from firebreak_gis.errors import Cancelled, FirebreakError
+    from firebreak_gis.evaluation import evaluate
+    from firebreak_gis.landscape import read_landscape
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.pipeline import plan
+    from firebreak_gis.ranking import rank
+    from firebreak_gis.rasters import write_raster
+    from firebreak_gis.simulation import burn_curve, simulate
+    from firebreak_gis.spread import spread_network
+    from firebreak_gis.spread.artificial import forest
+    from firebreak_gis.spread.raster import read_network
+    from firebreak_gis.vectors import write_vector
+
+_HOMES = {
+    "break_polygons": "breaks",
+    "burn_curve": "simulation",
+    "Cancelled": "errors",
+    "evaluate": "evaluation",
+    "FirebreakError": "errors",
+    "forest": "spread.artificial",
+    "plan": "pipeline",
+    "rank": "ranking",
+    "read_landscape": "landscape",
+    "read_network": "spread.raster",
+    "removal_order": "breaks",
+    "select_breaks": "breaks",
+    "simulate": "simulation",
+    "spread_network": "spread",
+    "SpreadNetwork": "network",
+    "write_raster": "rasters",
+    "write_vector": "vectors",
+}
+
+__all__ = ["__version__", *_HOMES]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

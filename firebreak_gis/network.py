@@ -182,10 +182,11 @@ class SpreadNetwork:
         return graph
 
     def to_raster(self) -> xr.DataArray:
-        """Return the probabilities as a DataArray (direction, y, x) with CRS, ready for `write_raster`."""
+        """Return the probabilities as a DataArray (direction, y, x) with CRS, NaN where there is no fuel."""
         from firebreak_gis.schema import annotate
 
-        data = annotate(self.grid.dataarray(self.probability, "spread_probability"))
+        values = np.where(self.burnable, self.probability, np.float32(np.nan))
+        data = annotate(self.grid.dataarray(values, "spread_probability"))
         return data.assign_attrs(boundary=self.boundary)
 
     def _edges(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -1,0 +1,63 @@
+"""Run pieces of work on threads while the main thread reports progress and listens for a stop."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from typing import TypeVar
+
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.progress import Progress
+
+Piece = TypeVar("Piece")
+
+_LISTEN_EVERY = 0.2  # seconds
+
+
+def thread_count(threads: int | None) -> int:
+    """Number of threads to use: as given, else FIREBREAK_THREADS, else the processors this process may use."""
+    if threads is None:
+        given = os.environ.get("FIREBREAK_THREADS", "")
+        affinity = getattr(os, "sched_getaffinity", None)
+        threads = int(given) if given.isdigit() else len(affinity(0)) if affinity else os.cpu_count() or 1
+    if threads < 1:
+        raise ParameterError(f"threads is {threads}, expected at least 1")
+    return threads
+
+
+def run_pieces(
+    work: Callable[[Piece], None], pieces: Sequence[Piece], *, threads: int | None, progress: Progress, message: str
+) -> None:
+    """Call `work` on every piece, several at a time.
+
+    `work` must release the interpreter lock to gain speed, and its effect must not depend on the order of pieces.
+
+    Parameters
+    ----------
+    work
+        Called as ``work(piece)``.
+    pieces
+        The pieces.
+    threads
+        See `thread_count`.
+    progress
+        Told the share of pieces done, at least five times a second. If it raises, pieces not yet begun are dropped
+        and the exception passes through once those at work have ended.
+    message
+        Text for `progress`.
+    """
+    done = 0
+    with ThreadPoolExecutor(thread_count(threads)) as pool:
+        waiting = {pool.submit(work, piece) for piece in pieces}
+        try:
+            while waiting:
+                progress(done / len(pieces), message)
+                finished, waiting = wait(waiting, timeout=_LISTEN_EVERY, return_when=FIRST_COMPLETED)
+                for future in finished:
+                    future.result()
+                done += len(finished)
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+    progress(1.0, message)
