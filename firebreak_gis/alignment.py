@@ -181,15 +181,18 @@ def _as_codes(cells: Cells, header: Header) -> np.ndarray:
         broken = inside[inside != np.round(inside)]
         if broken.size:
             raise InputError(
-                f"{header.path} holds fractions such as {broken[0]:g} where class codes are expected; it looks resampled: make it "
-                "again with nearest, or, if it is a quantity such as cover in percent, give a legend with ranges"
+                f"{header.path} holds fractions such as {broken[0]:g} where class codes are expected; it "
+                f"looks resampled: make it "
+                "again with nearest, or, if it is a quantity such as cover in percent, give a legend with "
+                "ranges"
             )
     if inside.size and (inside.min() < -(2**31) or inside.max() >= 2**31):
         raise InputError(f"{header.path} holds codes up to {inside.max():g}, too great for class codes")
     if inside.size and (inside < 0).any():
         wrong = np.unique(inside[inside < 0])[:5]
         raise InputError(
-            f"{header.path} holds the negative codes {', '.join(f'{v:g}' for v in wrong)}, expected class codes from 0; "
+            f"{header.path} holds the negative codes {', '.join(f'{v:g}' for v in wrong)}, expected class "
+            f"codes from 0; "
             f"if they mean no data, say so (--src-nodata {wrong[0]:g})"
         )
     # np.where(valid, values, -1) would keep the type of the raster and turn -1 into class 255.
@@ -239,4 +242,5 @@ def _sentence(name: str, header: Header, how: Plan, grid: Grid, method: str) -> 
     turned = ", rotated" if t.b != 0 or t.d != 0 else ", south-up" if t.e > 0 else ""
     what = f"cells of {abs(t.a):.6g} x {abs(t.e):.6g} in {crs_name(header.crs)}{turned}"
     width, height = how.cells
-    return f"{name}: resampled by {method} from {what} (about {width:.4g} x {height:.4g} m) to {grid.cell_size:g} m"
+    size = f"about {width:.4g} x {height:.4g} m"
+    return f"{name}: resampled by {method} from {what} ({size}) to {grid.cell_size:g} m"

@@ -136,7 +136,7 @@ def require_writable(
 def same_file(one: str | os.PathLike[str], other: str | os.PathLike[str]) -> bool:
     """Whether two paths are one file, by name, symbolic link or hard link."""
     try:
-        return os.path.samefile(one, other)
+        return Path(one).samefile(other)
     except OSError:
         return os.path.normcase(os.path.realpath(one)) == os.path.normcase(os.path.realpath(other))
 
@@ -181,7 +181,7 @@ def _finish(part: Path, place: Path, overwrite: bool, verify: Callable[[Path], N
         os.fsync(stream.fileno())
     if not overwrite and place.exists():
         raise OutputError(f"the output {place} appeared while it was being made; it was left as it is")
-    os.replace(part, place)
+    part.replace(place)
     _flush_folder(place.parent)
 
 
@@ -279,14 +279,14 @@ def _remove_parts(folder: Path, prefix: str) -> None:
         for entry in os.scandir(folder):
             if entry.name.startswith(prefix) and ".part" in entry.name:
                 with contextlib.suppress(OSError):
-                    os.unlink(entry.path)
+                    Path(entry.path).unlink()
 
 
 def _reason(error: OSError) -> str:
     hints = {
         errno.ENOSPC: "the disk is full; free some space or choose another disk",
         errno.EDQUOT: "the disk quota is used up; free some space or choose another disk",
-        errno.EACCES: "no permission, or it is open in another program; close it there or choose another folder",
+        errno.EACCES: "no permission, or open in another program; close it there or choose another folder",
         errno.EPERM: "not permitted; choose another folder",
         errno.EROFS: "the disk is read-only; choose another folder",
         errno.ENAMETOOLONG: "the name is too long for this file system; choose a shorter one",

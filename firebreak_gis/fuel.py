@@ -125,8 +125,10 @@ def _look_up(
     told = _areas(values[strange], legend, grid)
     if unknown == "refuse":
         raise LegendError(
-            f"the {name} raster holds codes that the legend {legend.name} does not list: {told}. Give the right legend "
-            f"(--legend, --density-legend), add the codes to an own one, declare no data (--src-nodata {name}=...), or take them "
+            f"the {name} raster holds codes that the legend {legend.name} does not list: {told}. Give the "
+            f"right legend "
+            f"(--legend, --density-legend), add the codes to an own one, declare no data (--src-nodata "
+            f"{name}=...), or take them "
             "as land without fuel (--unknown nonburnable)" + _hint(values[strange], legend, name)
         )
     account.warnings.append(

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from firebreak_gis.alignment import align_classes, align_values, plan
+from firebreak_gis.alignment import plan
 from firebreak_gis.errors import InputError, LegendError, OutputError, ParameterError
 from firebreak_gis.files import make_folder, require_writable
 from firebreak_gis.fuel import Fuel, fuel_of
 from firebreak_gis.grid import Grid
+from firebreak_gis.layers import codes_on, elevation_on
 from firebreak_gis.legends import Legend, read_legend
 from firebreak_gis.memory import require_memory
 from firebreak_gis.progress import Progress, silent
@@ -28,32 +29,6 @@ if TYPE_CHECKING:
 #: Layers of a landscape folder; the last two only where a legend gives effects as numbers.
 LAYERS = ("elevation", "vegetation", "density")
 EFFECTS = ("vegetation_effect", "density_effect")
-
-#: Metres per unit, by the words that files use.
-METRES: Mapping[str, float] = {
-    "": 1.0,
-    "m": 1.0,
-    "metre": 1.0,
-    "metres": 1.0,
-    "meter": 1.0,
-    "meters": 1.0,
-    "1": 1.0,
-    "unknown": 1.0,
-    "ft": 0.3048,
-    "feet": 0.3048,
-    "foot": 0.3048,
-    "international foot": 0.3048,
-    "us-ft": 1200 / 3937,
-    "us survey foot": 1200 / 3937,
-    "ftus": 1200 / 3937,
-    "foot_us": 1200 / 3937,
-    "km": 1000.0,
-    "dm": 0.1,
-    "cm": 0.01,
-    "mm": 0.001,
-}
-#: Elevations in metres that exist on land; the deepest sea bed.
-HIGHEST, LOWEST, DEEPEST = 9000.0, -500.0, -12000.0
 
 
 def read_landscape(
@@ -148,14 +123,12 @@ def read_landscape(
     )
 
     report(0.1, "elevation")
-    elevation = _elevation(layers["elevation"], grid, account, strict)
+    elevation = elevation_on(layers["elevation"], grid, account, strict)
     report(0.4, "vegetation")
-    codes = _align_coded(layers["vegetation"], grid, "vegetation", table, account)
+    codes = codes_on(layers["vegetation"], grid, "vegetation", table, account)
     report(0.7, "density")
     cover = (
-        _align_coded(layers["density"], grid, "density", density_table, account)
-        if "density" in layers
-        else None
+        codes_on(layers["density"], grid, "density", density_table, account) if "density" in layers else None
     )
     report(0.9, "legend")
     fuel = fuel_of(
@@ -215,7 +188,8 @@ def write_landscape(
         old = place / f"{name}.tif"
         if old.exists() and not overwrite:
             raise OutputError(
-                f"{old} belongs to another landscape; choose another folder or allow overwriting (--overwrite)"
+                f"{old} belongs to another landscape; choose another folder or allow overwriting "
+                f"(--overwrite)"
             )
         old.unlink(missing_ok=True)
     told = {key: list(dataset.attrs[key]) for key in ("alignment", "warnings") if key in dataset.attrs}
@@ -245,7 +219,8 @@ def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:
     place = Path(folder)
     if not place.is_dir():
         raise InputError(
-            f"{place} is not a folder with {', '.join(f'{name}.tif' for name in LAYERS)}; make one with: firebreak align"
+            f"{place} is not a folder with {', '.join(f'{name}.tif' for name in LAYERS)}; make one with: "
+            f"firebreak align"
         )
     missing = [f"{name}.tif" for name in LAYERS if not (place / f"{name}.tif").exists()]
     if missing:
@@ -275,7 +250,8 @@ def _legends(legend: Any, density_legend: Any, density: Any) -> tuple[Legend, Le
         )
     if density is None and not table.has_density:
         raise LegendError(
-            f"no density: the legend {table.name} gives none. Give a density raster, or one class for all fuel "
+            f"no density: the legend {table.name} gives none. Give a density raster, or one class for all "
+            f"fuel "
             '(density="normal"), or a legend with densities (see legends.names() or firebreak legends)'
         )
     if not density_table.has_density:
@@ -305,66 +281,10 @@ def _headers(
             headers[name] = header_of_array(source, src_nodata=nodata.get(name))
     if headers["elevation"].palette:
         raise InputError(
-            f"{headers['elevation'].path} has a colour table: it is a map of classes or a picture, not elevations"
+            f"{headers['elevation'].path} has a colour table: it is a map of classes or a picture, not "
+            f"elevations"
         )
     return headers
-
-
-def _align_coded(header: Header, grid: Grid, name: str, table: Legend, account: Account) -> np.ndarray:
-    """Codes as floats (rows, cols), NaN for no data."""
-    if table.continuous:
-        values = align_values(header, grid, name, account)
-        present = values[np.isfinite(values)]
-        top = max(entry.high for entry in table.entries)
-        if present.size and top >= 50 and 0 < present.max() <= 1 and (present != np.round(present)).any():
-            raise LegendError(
-                f"{header.path} looks like a fraction (0 to 1), the legend {table.name} goes up to {top:g}; scale it "
-                "or give a legend for fractions"
-            )
-        coded = values.astype(np.float64)
-    else:
-        codes = align_classes(header, grid, name, account)
-        coded = np.where(codes < 0, np.nan, codes)
-    if not np.isfinite(coded).any():
-        raise InputError(
-            f"{header.path} ({name}) holds no data on the grid; is its no-data value the true one?"
-        )
-    return coded
-
-
-def _elevation(header: Header, grid: Grid, account: Account, strict: bool) -> np.ndarray:
-    """Elevation on the grid in metres, NaN for no data."""
-    values = align_values(header, grid, "elevation", account, strict=strict)
-    word = header.units.strip().lower()
-    if word not in METRES:
-        raise InputError(
-            f"{header.path} is in {header.units!r}, expected elevations in m or ft; set the true unit: gdal_edit.py -units m FILE"
-        )
-    factor = METRES[word]
-    if word in ("", "1", "unknown") and header.vertical is not None:
-        factor = header.vertical
-    if factor != 1:
-        values *= np.float32(factor)
-        account.alignment.append(
-            f"elevation: multiplied by {factor:.9g} to get metres from {header.units or 'the unit of its CRS'}"
-        )
-    if not np.isfinite(values).any():
-        raise InputError(
-            f"{header.path} (elevation) holds no data on the grid; is its no-data value the true one?"
-        )
-    low, high = float(np.nanmin(values)), float(np.nanmax(values))
-    if high > HIGHEST or low < DEEPEST:
-        raise InputError(
-            f"{header.path} has elevations from {low:g} to {high:g} m, expected {DEEPEST:g} to {HIGHEST:g}; declare its no-data "
-            "value (--src-nodata) or its unit (gdal_edit.py -units ft FILE)"
-        )
-    deep = values < LOWEST
-    if deep.any():
-        values[deep] = np.nan
-        account.warnings.append(
-            f"elevation: {int(deep.sum())} cells below {LOWEST:g} m were taken as sea bed, without elevation"
-        )
-    return values
 
 
 def _burnable(dataset: Mapping[Any, Any]) -> np.ndarray:
@@ -393,7 +313,8 @@ def _assemble(grid: Grid, elevation: np.ndarray, fuel: Fuel, account: Account) -
         )
     if not burnable.any():
         raise InputError(
-            "no cell can burn: nowhere do vegetation, density and elevation meet; check the legend and the no-data values"
+            "no cell can burn: nowhere do vegetation, density and elevation meet; check the legend and "
+            "the no-data values"
         )
     layers["burnable"] = burnable
     return xr.Dataset({name: annotate(grid.dataarray(values, name)) for name, values in layers.items()})

@@ -43,7 +43,8 @@ def require_memory(needed: int, what: str, *, max_memory: int | None = None) -> 
     limit = int(DEFAULT_SHARE * memory_limit()) if max_memory is None else max_memory
     if needed > limit:
         raise ResourceError(
-            f"{what} needs about {_size(needed)} of memory, {_size(limit)} are allowed; take a smaller extent, "
+            f"{what} needs about {_size(needed)} of memory, {_size(limit)} are allowed; take a smaller "
+            f"extent, "
             "a coarser resolution, or a machine with more memory (limit: --max-memory)"
         )
 

@@ -71,7 +71,8 @@ def require_plausible(crs: CRS, bounds: tuple[float, float, float, float], where
         outside = area is None or not (area.south - 5 <= lat[0] <= area.north + 5)
         if outside or not math.isfinite(lon[0]):
             raise CRSError(
-                f"{where} claims projected units ({crs_name(crs)}) but its coordinates look like degrees: {box}; {fix}"
+                f"{where} claims projected units ({crs_name(crs)}) but its coordinates look like degrees: "
+                f"{box}; {fix}"
             )
 
 
@@ -97,7 +98,8 @@ def suggest_utm(lon: np.ndarray, lat: np.ndarray) -> CRS:
 
     if not (np.isfinite(lon).all() and np.isfinite(lat).all()):
         raise CRSError(
-            "the extent reaches beyond what its CRS can describe; crop the raster, or give --bounds and --dst-crs"
+            "the extent reaches beyond what its CRS can describe; crop the raster, or give --bounds and "
+            "--dst-crs"
         )
     lon = np.unwrap(lon, period=360.0)
     width = float(lon.max() - lon.min())

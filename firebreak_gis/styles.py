@@ -36,8 +36,10 @@ def qml(variable: Variable, *, minimum: float | None = None, maximum: float | No
         "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
         '<qgis version="3.22.0" styleCategories="Symbology">\n'
         " <pipe>\n"
-        '  <provider>\n   <resampling enabled="false" maxOversampling="2" zoomedInResamplingMethod="nearestNeighbour" '
-        'zoomedOutResamplingMethod="nearestNeighbour"/>\n  </provider>\n'
+        "  <provider>\n"
+        '   <resampling enabled="false" maxOversampling="2" zoomedInResamplingMethod="nearestNeighbour" '
+        'zoomedOutResamplingMethod="nearestNeighbour"/>\n'
+        "  </provider>\n"
         f"{renderer}"
         '  <brightnesscontrast brightness="0" contrast="0" gamma="1"/>\n'
         '  <huesaturation saturation="0" grayscaleMode="0" colorizeOn="0" colorizeStrength="100" '
@@ -63,8 +65,8 @@ def _first(*values: float | None) -> float:
 
 
 def _entry(tag: str, value: str, colour: str, label: str) -> str:
-    alpha = rgba(colour)[3]
-    return f'     <{tag} value={quoteattr(value)} color={quoteattr(colour[:7])} alpha="{alpha}" label={quoteattr(label)}/>\n'
+    parts = {"value": value, "color": colour[:7], "alpha": str(rgba(colour)[3]), "label": label}
+    return f"     <{tag} {' '.join(f'{key}={quoteattr(text)}' for key, text in parts.items())}/>\n"
 
 
 def _paletted(variable: Variable) -> str:
@@ -95,8 +97,8 @@ def _ramp(variable: Variable, low: float, high: float) -> str:
         "   <minMaxOrigin>\n    <limits>None</limits>\n    <extent>WholeRaster</extent>\n"
         "    <statAccuracy>Exact</statAccuracy>\n   </minMaxOrigin>\n"
         "   <rastershader>\n"
-        f'    <colorrampshader colorRampType="INTERPOLATED" classificationMode="1" clip="0" minimumValue="{low:.9g}" '
-        f'maximumValue="{high:.9g}" labelPrecision="4">\n'
+        '    <colorrampshader colorRampType="INTERPOLATED" classificationMode="1" clip="0" '
+        f'minimumValue="{low:.9g}" maximumValue="{high:.9g}" labelPrecision="4">\n'
         f"{items}"
         "    </colorrampshader>\n"
         "   </rastershader>\n"

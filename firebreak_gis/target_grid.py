@@ -124,7 +124,8 @@ def box_in(header: Header, target: CRS) -> Box:
     inside = np.isfinite(x) & np.isfinite(y)
     if not inside.all():
         raise CRSError(
-            f"{header.path} reaches beyond what {crs_name(target)} can describe; crop it, or choose another CRS (--dst-crs)"
+            f"{header.path} reaches beyond what {crs_name(target)} can describe; crop it, or choose "
+            f"another CRS (--dst-crs)"
         )
     return float(x.min()), float(y.min()), float(x.max()), float(y.max())
 
@@ -176,7 +177,8 @@ def _common_centre(layers: Mapping[str, Header]) -> tuple[np.ndarray, np.ndarray
         lon, lat = to_lonlat(header.crs, *outline(header.transform, header.shape))
         if not (np.isfinite(lon).all() and np.isfinite(lat).all()):
             raise CRSError(
-                f"{header.path} has coordinates that {crs_name(header.crs)} cannot describe; is its CRS the true one?"
+                f"{header.path} has coordinates that {crs_name(header.crs)} cannot describe; is its CRS "
+                f"the true one?"
             )
         lon = np.unwrap(lon, period=360.0)
         if boxes:  # the same turn of the globe as the first layer
@@ -190,7 +192,8 @@ def _common_centre(layers: Mapping[str, Header]) -> tuple[np.ndarray, np.ndarray
             for name, b in boxes.items()
         )
         raise GridError(
-            f"the layers do not overlap ({told}); are they of the same place, and are their CRS the true ones?"
+            f"the layers do not overlap ({told}); are they of the same place, and are their CRS the true "
+            f"ones?"
         )
     return np.array([shared[0], shared[2]]), np.array([shared[1], shared[3]])
 
@@ -229,7 +232,8 @@ def _common_box(layers: Mapping[str, Header], target: CRS | None, account: Accou
             f"{name}: x {b[0]:.6g} to {b[2]:.6g}, y {b[1]:.6g} to {b[3]:.6g}" for name, b in boxes.items()
         )
         raise GridError(
-            f"the layers overlap on {share:.1%} of the smallest of them, expected at least {LEAST_OVERLAP:.0%} "
+            f"the layers overlap on {share:.1%} of the smallest of them, expected at least "
+            f"{LEAST_OVERLAP:.0%} "
             f"(in {crs_name(target)}: {told}); are they of the same place, and are their CRS the true ones?"
         )
     if share < 0.99:
@@ -254,7 +258,8 @@ def _default_cell(dem: Header, target: CRS, box: Box, account: Account) -> float
     digits = 1 - math.floor(math.log10(mean))
     cell = round(mean, digits)
     account.alignment.append(
-        f"cell: {cell:g} m, rounded from {width:.4g} x {height:.4g} m, what a cell of the elevation measures there"
+        f"cell: {cell:g} m, rounded from {width:.4g} x {height:.4g} m, what a cell of the elevation "
+        f"measures there"
     )
     return cell
 
@@ -274,8 +279,10 @@ def _snap(layers: Mapping[str, Header], target: CRS, cell: float, box: Box, boun
     if rows < LEAST_CELLS or cols < LEAST_CELLS:
         told = f"x {box[0]:.6g} to {box[2]:.6g}, y {box[1]:.6g} to {box[3]:.6g}"
         raise GridError(
-            f"only {max(rows, 0)} x {max(cols, 0)} cells of {cell:g} m lie in the extent that all layers cover ({told} in "
-            f"{crs_name(target)}){'' if bounds is None else ' and the bounds'}, expected at least 3 x 3; take finer cells or a larger extent"
+            f"only {max(rows, 0)} x {max(cols, 0)} cells of {cell:g} m lie in the extent that all layers "
+            f"cover ({told} in "
+            f"{crs_name(target)}){'' if bounds is None else ' and the bounds'}, expected at least 3 x 3; "
+            f"take finer cells or a larger extent"
         )
     return Grid(
         (rows, cols), Affine(cell, 0.0, x0 + first_col * cell, 0.0, -cell, y0 - first_row * cell), target
@@ -283,7 +290,7 @@ def _snap(layers: Mapping[str, Header], target: CRS, cell: float, box: Box, boun
 
 
 def _anchor(layers: Mapping[str, Header], target: CRS, cell: float) -> tuple[float, float]:
-    """A corner that the cells should meet: of a layer with such cells, else of the elevation, else the origin."""
+    """Corner for the cells to meet: of a layer with such cells, else of the elevation, else the origin."""
     straight = [h for h in layers.values() if h.crs == target and h.transform.b == 0 and h.transform.d == 0]
     for header in straight:
         sides = abs(header.transform.a), abs(header.transform.e)
@@ -302,6 +309,7 @@ def _warn_of_north(grid: Grid, account: Account) -> None:
     angle = convergence(grid.crs, (left + right) / 2, (bottom + top) / 2)
     if abs(angle) > CONVERGENCE_LIMIT:
         account.warnings.append(
-            f"north of the grid lies {angle:.1f} degrees clockwise from true north in {crs_name(grid.crs)}; wind directions are "
+            f"north of the grid lies {angle:.1f} degrees clockwise from true north in "
+            f"{crs_name(grid.crs)}; wind directions are "
             "taken from the north of the grid"
         )

@@ -99,7 +99,8 @@ def write_vector(
         raise OutputError(f"{place.name} has no known vector extension; expected one of {', '.join(DRIVERS)}")
     if gdf.crs is None:
         raise CRSError(
-            f"the features for {place.name} have no coordinate reference system; set one with gdf.set_crs(...)"
+            f"the features for {place.name} have no coordinate reference system; set one with "
+            f"gdf.set_crs(...)"
         )
     _require_closed(place)
     layer = layer or place.stem
@@ -128,7 +129,8 @@ def _read(source: Any, crs: Any, what: str, kinds: set[str], *, explode: bool = 
     for frame in frames:
         if frame.crs is None:
             raise CRSError(
-                f"{where} has no coordinate reference system; assign one, e.g. ogr2ogr -a_srs EPSG:4326 out.gpkg in.shp"
+                f"{where} has no coordinate reference system; assign one, e.g. ogr2ogr -a_srs EPSG:4326 "
+                f"out.gpkg in.shp"
             )
         ready.append(_plain(frame, where, what, kinds, notes).to_crs(target))
     ready = [frame for frame in ready if len(frame)]

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import csv
 import importlib.resources
+import itertools
 import math
 import os
 import re
@@ -176,7 +177,8 @@ def parse(text: str, name: str, where: str) -> Legend:
         or len(set(header)) < len(header)
     ):
         raise LegendError(
-            f"{where}, line {rows[0][0]}: got the columns {', '.join(header)}, expected {', '.join(COLUMNS[:4])} "
+            f"{where}, line {rows[0][0]}: got the columns {', '.join(header)}, expected "
+            f"{', '.join(COLUMNS[:4])} "
             "separated by commas (density_from_raster is optional)"
         )
     problems: list[str] = []
@@ -185,7 +187,8 @@ def parse(text: str, name: str, where: str) -> Legend:
         cells = [cell.strip() for cell in next(csv.reader([line], skipinitialspace=True))]
         if len(cells) > len(header):
             problems.append(
-                f"line {number}: {len(cells)} cells, expected at most {len(header)}; quote texts that hold commas"
+                f"line {number}: {len(cells)} cells, expected at most {len(header)}; quote texts that hold "
+                f"commas"
             )
             continue
         record = dict(zip(header, cells + [""] * (len(header) - len(cells)), strict=True))
@@ -255,7 +258,8 @@ def _class(kind: str, text: str, number: int, problems: list[str]) -> tuple[int 
         return None, None
     if not (math.isfinite(effect) and effect > -1):
         problems.append(
-            f"line {number}: the {kind} effect is {text}, expected more than -1.0; write none for what cannot burn"
+            f"line {number}: the {kind} effect is {text}, expected more than -1.0; write none for what "
+            f"cannot burn"
         )
         return None, None
     nearest = _NEAREST[kind]
@@ -264,6 +268,6 @@ def _class(kind: str, text: str, number: int, problems: list[str]) -> tuple[int 
 
 def _find_overlaps(entries: list[tuple[int, Entry]], problems: list[str]) -> None:
     ordered = sorted(entries, key=lambda item: (item[1].low, item[1].high))
-    for (first, one), (second, other) in zip(ordered, ordered[1:], strict=False):
+    for (first, one), (second, other) in itertools.pairwise(ordered):
         if other.low < one.high or other.low == one.low:
             problems.append(f"line {max(first, second)}: the code overlaps that of line {min(first, second)}")

@@ -251,7 +251,8 @@ def require_georeferenced(header: Header) -> CRS:
         )
     if abs(header.transform.determinant) == 0 or not all(math.isfinite(v) for v in header.transform[:6]):
         raise GridError(
-            f"{where} has cells without area (transform {tuple(header.transform[:6])}); its georeference is broken"
+            f"{where} has cells without area (transform {tuple(header.transform[:6])}); its georeference "
+            f"is broken"
         )
     require_plausible(header.crs, header.bounds, where)
     return header.crs

@@ -89,13 +89,15 @@ def read_cells(
     infinite = int(np.count_nonzero(np.isinf(values) & valid)) if values.dtype.kind == "f" else 0
     if infinite:
         raise InputError(
-            f"{header.path} holds infinite values in {infinite} cells; repair them or declare them as no data "
+            f"{header.path} holds infinite values in {infinite} cells; repair them or declare them as no "
+            f"data "
             "(--src-nodata)"
         )
     if header.scale != 1 or header.offset != 0:
         values = values.astype(np.float64) * header.scale + header.offset
         notes.append(
-            f"stored numbers were multiplied by {header.scale:g} and {header.offset:g} was added, as the file says"
+            f"stored numbers were multiplied by {header.scale:g} and {header.offset:g} was added, as the "
+            f"file says"
         )
     return Cells(values, valid, tuple(notes))
 
@@ -287,7 +289,8 @@ def _require_bands(path: str | os.PathLike[str], variable: Variable, remote: boo
         if source.count != expected:
             more = f" in the order {' '.join(DIRECTIONS)}" if expected > 1 else ""
             raise InputError(
-                f"{name} has {source.count} bands, expected {expected}{more} for {variable.name} ({variable.text})"
+                f"{name} has {source.count} bands, expected {expected}{more} for {variable.name} "
+                f"({variable.text})"
             )
         told = [str(text).split(":")[0].strip().upper() if text else "" for text in source.descriptions]
     if expected > 1 and set(told) == set(DIRECTIONS) and tuple(told) != DIRECTIONS:

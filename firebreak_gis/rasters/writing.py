@@ -116,7 +116,8 @@ def _stored_values(values: np.ndarray, variable: Variable) -> np.ndarray:
     if variable.name == "priority":
         if missing.any():
             raise InputError(
-                f"priority is NaN in {int(missing.sum())} cells; expected a number, or -inf where nothing burns"
+                f"priority is NaN in {int(missing.sum())} cells; expected a number, or -inf where nothing "
+                f"burns"
             )
         missing = np.isneginf(values)
     inside = values[~missing]

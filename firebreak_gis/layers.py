@@ -1,0 +1,101 @@
+"""Each kind of layer on the grid: elevation in metres, codes for the legends."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from firebreak_gis.alignment import align_classes, align_values
+from firebreak_gis.errors import InputError, LegendError
+from firebreak_gis.grid import Grid
+from firebreak_gis.legends import Legend
+from firebreak_gis.rasters import Header
+from firebreak_gis.target_grid import Account
+
+#: Metres per unit, by the words that files use.
+METRES: Mapping[str, float] = {
+    "": 1.0,
+    "m": 1.0,
+    "metre": 1.0,
+    "metres": 1.0,
+    "meter": 1.0,
+    "meters": 1.0,
+    "1": 1.0,
+    "unknown": 1.0,
+    "ft": 0.3048,
+    "feet": 0.3048,
+    "foot": 0.3048,
+    "international foot": 0.3048,
+    "us-ft": 1200 / 3937,
+    "us survey foot": 1200 / 3937,
+    "ftus": 1200 / 3937,
+    "foot_us": 1200 / 3937,
+    "km": 1000.0,
+    "dm": 0.1,
+    "cm": 0.01,
+    "mm": 0.001,
+}
+#: Elevations in metres that exist on land; the deepest sea bed.
+HIGHEST, LOWEST, DEEPEST = 9000.0, -500.0, -12000.0
+
+
+def elevation_on(header: Header, grid: Grid, account: Account, strict: bool) -> np.ndarray:
+    """Elevation on the grid in metres, NaN for no data."""
+    values = align_values(header, grid, "elevation", account, strict=strict)
+    word = header.units.strip().lower()
+    if word not in METRES:
+        raise InputError(
+            f"{header.path} is in {header.units!r}, expected elevations in m or ft; set the true unit: "
+            f"gdal_edit.py -units m FILE"
+        )
+    factor = METRES[word]
+    if word in ("", "1", "unknown") and header.vertical is not None:
+        factor = header.vertical
+    if factor != 1:
+        values *= np.float32(factor)
+        account.alignment.append(
+            f"elevation: multiplied by {factor:.9g} to get metres from "
+            f"{header.units or 'the unit of its CRS'}"
+        )
+    if not np.isfinite(values).any():
+        raise InputError(
+            f"{header.path} (elevation) holds no data on the grid; is its no-data value the true one?"
+        )
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    if high > HIGHEST or low < DEEPEST:
+        raise InputError(
+            f"{header.path} has elevations from {low:g} to {high:g} m, expected {DEEPEST:g} to "
+            f"{HIGHEST:g}; declare its no-data "
+            "value (--src-nodata) or its unit (gdal_edit.py -units ft FILE)"
+        )
+    deep = values < LOWEST
+    if deep.any():
+        values[deep] = np.nan
+        account.warnings.append(
+            f"elevation: {int(deep.sum())} cells below {LOWEST:g} m were taken as sea bed, without elevation"
+        )
+    return values
+
+
+def codes_on(header: Header, grid: Grid, name: str, table: Legend, account: Account) -> np.ndarray:
+    """Codes as floats (rows, cols), NaN for no data."""
+    if table.continuous:
+        values = align_values(header, grid, name, account)
+        present = values[np.isfinite(values)]
+        top = max(entry.high for entry in table.entries)
+        if present.size and top >= 50 and 0 < present.max() <= 1 and (present != np.round(present)).any():
+            raise LegendError(
+                f"{header.path} looks like a fraction (0 to 1), the legend {table.name} goes up to "
+                f"{top:g}; scale it "
+                "or give a legend for fractions"
+            )
+        coded = values.astype(np.float64)
+    else:
+        codes = align_classes(header, grid, name, account)
+        coded = np.where(codes < 0, np.nan, codes)
+    if not np.isfinite(coded).any():
+        raise InputError(
+            f"{header.path} ({name}) holds no data on the grid; is its no-data value the true one?"
+        )
+    return coded
