@@ -68,7 +68,11 @@ def require_plausible(crs: CRS, bounds: tuple[float, float, float, float], where
     elif max(abs(left), abs(right)) <= 360 and max(abs(bottom), abs(top)) <= 90 and right - left < 90:
         lon, lat = to_lonlat(crs, np.array([(left + right) / 2]), np.array([(bottom + top) / 2]))
         area = crs.area_of_use
-        outside = area is None or not (area.south - 5 <= lat[0] <= area.north + 5)
+        # Degrees read as metres lie beside the false origin, which is outside the area of most systems.
+        outside = area is None or not (
+            area.south - 1 <= lat[0] <= area.north + 1
+            and (area.west > area.east or area.west - 1 <= lon[0] <= area.east + 1)
+        )
         if outside or not math.isfinite(lon[0]):
             raise CRSError(
                 f"{where} claims projected units ({crs_name(crs)}) but its coordinates look like degrees: "
