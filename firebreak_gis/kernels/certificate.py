@@ -98,7 +98,7 @@ def localised_bounds(
     for _ in range(_ROUNDS):
         goal = lower * (1.0 + 0.9 * tolerance)
         _lift(operator, x, strongest)
-        stronger = _raise(operator, x, spare, goal, progress)
+        stronger = _raise(operator, x, spare, strongest, goal, progress)
         ratio = _largest_ratio(operator, x, spare)
         if ratio < upper:
             upper = ratio
@@ -197,7 +197,9 @@ def _lift(operator: Operator, x: np.ndarray, window: _Window) -> None:
     x[window.cells] = np.maximum(patch, min(factor, 1e30 * float(patch.max())) * vector)
 
 
-def _raise(operator: Operator, x: np.ndarray, spare: np.ndarray, goal: float, progress: Progress) -> _Window | None:
+def _raise(
+    operator: Operator, x: np.ndarray, spare: np.ndarray, strongest: _Window, goal: float, progress: Progress
+) -> _Window | None:
     """Raise x until A x <= goal * x, as far as it goes; a window with a larger eigenvalue if one is met."""
     queue = np.empty(x.size, dtype=np.uint32)
     waiting = np.zeros(x.size, dtype=np.uint8)
@@ -222,11 +224,16 @@ def _raise(operator: Operator, x: np.ndarray, spare: np.ndarray, goal: float, pr
         operator.apply(x, spare)
         np.divide(spare, x, out=spare)
         row, col = divmod(int(np.argmax(spare)), x.shape[1])
+        centre, size = (row, col), 1
+        if row in strongest.cells[0] and col in strongest.cells[1]:
+            centre, size = strongest.peak, 3
         # A place that comes up again gets a larger window.
-        place = (row // 64, col // 64)
-        half = _HALF_SIZES[min(1 + visits.get(place, 0), len(_HALF_SIZES) - 1)]
+        place = (centre[0] // 64, centre[1] // 64)
+        size = min(size + visits.get(place, 0), len(_HALF_SIZES) - 1)
         visits[place] = visits.get(place, 0) + 1
-        stronger = _solve_window(operator, x, (row, col), half, goal)
+        # Solved for less than the goal, so that the seam and rounding do not spoil the goal inside.
+        target = 0.5 * (strongest.block.lower + goal)
+        stronger = _solve_window(operator, x, centre, _HALF_SIZES[size], target)
         if stronger is not None:
             return stronger
     return None
@@ -235,7 +242,7 @@ def _raise(operator: Operator, x: np.ndarray, spare: np.ndarray, goal: float, pr
 def _solve_window(
     operator: Operator, x: np.ndarray, centre: tuple[int, int], half: int, goal: float
 ) -> _Window | None:
-    """Raise x to the solution of goal * x = A x in a window whose surroundings are fixed.
+    """Set x to the solution of goal * x = A x in a window whose surroundings are fixed.
 
     Returns
     -------
@@ -245,14 +252,15 @@ def _solve_window(
     cells, matrix = _cut(operator, centre, half)
     patch = x[cells]
     whole = operator.apply(x, np.empty(operator.shape))[cells]
-    outside = np.maximum(whole.ravel() - matrix @ patch.ravel(), 0.0)
+    # The small addition keeps cells positive that reach no cell outside.
+    outside = np.maximum(whole.ravel() - matrix @ patch.ravel(), 0.0) + 1e-12 * patch.ravel()
     identity = sp.eye_array(matrix.shape[0], format="csc")
     z = splu((goal * identity - matrix).tocsc(), diag_pivot_thresh=0.0).solve(outside)
     if z.min() < -1e-9 * np.abs(z).max():
         block = block_bounds(matrix, 1e-12)
         if block.lower > goal:
             return _Window(cells, block)
-    x[cells] = np.maximum(patch, z.reshape(patch.shape))
+    x[cells] = z.reshape(patch.shape)
     return None
 
 
