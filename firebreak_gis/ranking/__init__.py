@@ -2,10 +2,11 @@
 
 A method file holds a frozen dataclass `Params` and
 
-    rank(network, params, *, seed, progress) -> (rows, cols) float64, higher is cut earlier
+    rank(network, params, *, setting, seed, progress) -> (rows, cols) float64, higher is cut earlier
 
-and needs no registration: its file name is its name. Cells without fuel get -inf here, whatever the method
-returned for them. `rank` below is the only way in.
+and needs no registration: its file name is its name. `setting` holds costs, protected cells, values at risk and
+where fires start; a method uses what it can. Cells without fuel and protected cells get -inf here, whatever the
+method returned for them. `rank` below is the only way in.
 """
 
 from __future__ import annotations
@@ -14,9 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.errors import VerificationError
+from firebreak_gis.errors import GridError, VerificationError
 from firebreak_gis.methods import build_params, load
 from firebreak_gis.progress import Progress, silent
+from firebreak_gis.setting import Setting
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -25,7 +27,13 @@ if TYPE_CHECKING:
 
 
 def rank(
-    network: SpreadNetwork, method: str = "bonacich", *, seed: int = 0, progress: Progress | None = None, **params: Any
+    network: SpreadNetwork,
+    method: str = "bonacich",
+    *,
+    setting: Setting | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+    **params: Any,
 ) -> xr.DataArray:
     """Rank the cells of a network by the order in which they should be cut.
 
@@ -35,6 +43,8 @@ def rank(
         The spread network.
     method
         Name of a ranking (`firebreak methods` lists them).
+    setting
+        Costs, protected cells, values at risk and ignitions; default: every cell alike, nothing protected.
     seed
         Seed of methods that draw.
     progress
@@ -45,22 +55,27 @@ def rank(
     Returns
     -------
     xarray.DataArray
-        `priority` (y, x) float64, higher is cut earlier, -inf where there is no fuel.
+        `priority` (y, x) float64, higher is cut earlier, -inf where there is no fuel or nothing may be cut.
 
     Raises
     ------
     ParameterError
         If the method or a parameter is unknown or out of range.
+    GridError
+        If the setting was made for a network of another shape.
     """
     module = load("ranking", method)
     values = build_params(module, params)
-    scores = module.rank(network, values, seed=seed, progress=progress or silent)
+    setting = setting or Setting(network)
+    if setting.cost.shape != network.shape:
+        raise GridError(f"setting has shape {setting.cost.shape}, expected {network.shape}; make it for this network")
+    scores = module.rank(network, values, setting=setting, seed=seed, progress=progress or silent)
     priority = np.array(scores, dtype=np.float64)
     if priority.shape != network.shape or np.isnan(priority[network.burnable]).any():
         raise VerificationError(
             f"ranking {method!r} returned shape {priority.shape} or NaN, expected {network.shape} without NaN"
         )
-    priority[~network.burnable] = -np.inf
+    priority[~network.burnable | setting.protected] = -np.inf
     from firebreak_gis.schema import annotate
 
     return annotate(network.grid.dataarray(priority, "priority")).assign_attrs(method=method)

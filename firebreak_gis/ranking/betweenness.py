@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
 
 #: Burnable cells up to which the default is exact.
 EXACT_CELLS = 20_000
@@ -48,7 +49,9 @@ class Params:
     )
 
 
-def rank(network: SpreadNetwork, params: Params, *, seed: int, progress: Progress) -> np.ndarray:
+def rank(
+    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+) -> np.ndarray:
     """Return the betweenness, a number of ordered pairs, (rows, cols) float64."""
     from firebreak_gis.kernels.centrality import betweenness, sampled_betweenness
 

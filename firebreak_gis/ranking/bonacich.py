@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,9 @@ class Params:
     )
 
 
-def rank(network: SpreadNetwork, params: Params, *, seed: int, progress: Progress) -> np.ndarray:  # noqa: ARG001
+def rank(
+    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+) -> np.ndarray:
     """Return the Bonacich centrality, (rows, cols) float64."""
     from firebreak_gis.kernels.linear import katz
     from firebreak_gis.kernels.spectrum import spectral_radius

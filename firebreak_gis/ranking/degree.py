@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,9 @@ class Params:
     )
 
 
-def rank(network: SpreadNetwork, params: Params, *, seed: int, progress: Progress) -> np.ndarray:  # noqa: ARG001
+def rank(
+    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+) -> np.ndarray:
     """Return the sum of probabilities into or out of each cell, (rows, cols) float64."""
     from firebreak_gis.kernels.linear import degree
 

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,9 @@ class Params:
     )
 
 
-def rank(network: SpreadNetwork, params: Params, *, seed: int, progress: Progress) -> np.ndarray:  # noqa: ARG001
+def rank(
+    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+) -> np.ndarray:
     """Return the eigenvector of the largest eigenvalue, (rows, cols) float64, largest entry 1."""
     from firebreak_gis.kernels.spectrum import perron_vector
 

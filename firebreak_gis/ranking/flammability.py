@@ -17,6 +17,7 @@ from firebreak_gis.network import neighbour
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
 
 
 @dataclass(frozen=True)
@@ -24,7 +25,9 @@ class Params:
     """Flammability has no parameters."""
 
 
-def rank(network: SpreadNetwork, params: Params, *, seed: int, progress: Progress) -> np.ndarray:
+def rank(
+    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+) -> np.ndarray:
     """Return the mean probability of being lit, (rows, cols) float64; 0 without burnable neighbours."""
     total = np.zeros(network.shape)
     count = np.zeros(network.shape)

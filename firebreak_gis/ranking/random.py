@@ -16,6 +16,7 @@ from firebreak_gis.kernels.draws import stream_key, uniforms
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
 
 
 @dataclass(frozen=True)
@@ -23,6 +24,8 @@ class Params:
     """A random order has no parameters; the seed alone decides."""
 
 
-def rank(network: SpreadNetwork, params: Params, *, seed: int, progress: Progress) -> np.ndarray:
+def rank(
+    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+) -> np.ndarray:
     """Return a uniform number a cell, (rows, cols) float64."""
     return uniforms(stream_key(seed, "ranking"), network.burnable.size).reshape(network.shape)
