@@ -1,0 +1,38 @@
+"""firebreak align: any layers in, one square grid in metres out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from firebreak_gis.cli import options
+from firebreak_gis.cli.layers import input_files, read_layers, recorded
+from firebreak_gis.cli.session import Session
+
+
+@click.command("align")
+@options.inputs
+@options.output_folder
+@options.landscape
+@options.common
+def command(session: Session, **given: Any) -> None:
+    """Lay DEM, VEGETATION and DENSITY on one square grid in metres.
+
+    Writes elevation.tif, vegetation.tif and density.tif (classes of the paper) and says what was done to each layer.
+    """
+    from firebreak_gis.grid import Grid
+    from firebreak_gis.landscape import write_landscape
+    from firebreak_gis.manifest import provenance, write_manifest
+
+    landscape = read_layers(given, session, progress=session.progress)
+    inputs = input_files(given)
+    parameters = recorded(given)
+    files = write_landscape(landscape, given["output"], overwrite=given["overwrite"], provenance=provenance(parameters),
+                            forbid=inputs)
+    grid = Grid.of(landscape["burnable"])
+    account = {"grid": grid.describe(), "alignment": landscape.attrs["alignment"], "warnings": landscape.attrs["warnings"]}
+    files.append(write_manifest(Path(given["output"]) / "run.json", command="align", parameters=parameters, inputs=inputs,
+                                outputs=files, account=account, overwrite=given["overwrite"]))
+    session.finish({"files": files, **account}, f"{grid.describe()}; {len(files)} files in {given['output']}")

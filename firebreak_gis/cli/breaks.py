@@ -1,0 +1,38 @@
+"""firebreak breaks: a priority raster and a budget in, a break mask out."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from firebreak_gis.cli import options
+from firebreak_gis.cli.session import Session
+
+
+@click.command("breaks")
+@click.argument("priority", type=click.Path(dir_okay=False))
+@options.output_file("Mask GeoTIFF")
+@options.budget
+@click.option("--polygons", type=click.Path(dir_okay=False), metavar="FILE",
+              help="Also write the outlines (.gpkg, .geojson, .fgb, .parquet).")
+@options.common
+def command(session: Session, priority: str, output: str, polygons: str | None, **given: Any) -> None:
+    """Cut the first cells of PRIORITY: exactly round(budget x cells with fuel), ties by row, then column."""
+    from firebreak_gis.breaks import break_polygons, select_breaks
+    from firebreak_gis.files import require_writable
+    from firebreak_gis.manifest import provenance
+    from firebreak_gis.rasters import read_variable, write_raster
+    from firebreak_gis.vectors import write_vector
+
+    files = [output] + ([polygons] if polygons else [])
+    for name in files:
+        require_writable(name, overwrite=given["overwrite"], forbid=[priority])
+    ranking = read_variable(priority, "priority")
+    breaks = select_breaks(ranking, budget=given["budget"])
+    write_raster(output, breaks, overwrite=given["overwrite"], provenance=provenance({"budget": given["budget"]}),
+                 creation_options=options.pairs(given["creation_options"], "--co"))
+    if polygons:
+        write_vector(polygons, break_polygons(breaks, ranking), layer="breaks", overwrite=given["overwrite"])
+    count = breaks.attrs["cells_cut"]
+    session.finish({"files": files, "cells_cut": count}, f"{count} cells cut; written to {', '.join(files)}")

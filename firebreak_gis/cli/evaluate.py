@@ -1,0 +1,78 @@
+"""firebreak evaluate: a spread network and rankings in, R(d_f) with significance out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from firebreak_gis.cli import options
+from firebreak_gis.cli.session import Session
+from firebreak_gis.errors import ParameterError
+
+
+@click.command("evaluate")
+@click.argument("network", type=click.Path(dir_okay=False))
+@options.output_folder
+@click.option("--methods", "method_list", default="bonacich,random", show_default=True, metavar="LIST",
+              help="Rankings, separated by commas, parameters by colons: bonacich:beta=0.2,betweenness,random.")
+@click.option("--baseline", default="random", show_default=True, help="Ranking that the others are tested against.")
+@click.option("--budgets", metavar="LIST", help="Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01].")
+@click.option("--test", type=click.Choice(["wilcoxon", "ranksum", "t"]), default="wilcoxon", show_default=True,
+              help="Paired Wilcoxon signed-rank, Wilcoxon rank-sum for independent runs, or paired t.")
+@click.option("--alpha", type=float, default=0.01, show_default=True, help="Significance threshold.")
+@options.fires
+@options.seed
+@options.common
+def command(session: Session, network: str, output: str, method_list: str, **given: Any) -> None:
+    """Judge rankings on NETWORK: mean, 90 % percentile and maximum of the burnt share at every budget.
+
+    All rankings meet the same fires. Writes evaluation.csv, evaluation.png, evaluation.svg and run.json.
+    """
+    from firebreak_gis.evaluation import evaluate, table
+    from firebreak_gis.files import make_folder, require_writable, write_text
+    from firebreak_gis.manifest import write_manifest
+    from firebreak_gis.pipeline import default_budgets
+    from firebreak_gis.progress import part
+    from firebreak_gis.ranking import rank
+    from firebreak_gis.report.curve import curve_figure
+    from firebreak_gis.report.figures import save
+    from firebreak_gis.spread.raster import read_network
+
+    seed = options.checked_seed(given["seed"])
+    methods = options.methods_list(method_list)
+    if given["baseline"] not in {label for label, _, _ in methods}:
+        methods.append((given["baseline"], given["baseline"], {}))
+    inputs = [p for p in (network, given["ignitions"]) if p and Path(p).is_file()]
+    target = make_folder(output)
+    files = [target / name for name in ("evaluation.csv", "evaluation.png", "evaluation.svg")]
+    for name in (*files, target / "run.json"):
+        require_writable(name, overwrite=given["overwrite"], forbid=inputs)
+    budgets = _budgets(given["budgets"]) if given["budgets"] else default_budgets()
+    spread = read_network(network)
+    priorities = {}
+    for i, (label, method, params) in enumerate(methods):
+        step = part(session.progress, 0.5 * i / len(methods), 0.5 * (i + 1) / len(methods), f"{label}: ")
+        priorities[label] = rank(spread, method, seed=seed, progress=step, **params)
+    result = evaluate(spread, priorities, budgets=budgets, baseline=given["baseline"], test=given["test"],
+                      alpha=given["alpha"], n_runs=given["n_runs"], ignitions=given["ignitions"],
+                      ignition_mode=given["ignition_mode"], seed=seed, progress=part(session.progress, 0.5, 0.95))
+    write_text(files[0], table(result).to_csv(index=False, lineterminator="\n"), overwrite=given["overwrite"])
+    figure = curve_figure(result)
+    for name in files[1:]:
+        save(figure, name, overwrite=given["overwrite"])
+    parameters = {"network": network, "method_list": method_list, **given}
+    for key in ("overwrite", "creation_options"):
+        parameters.pop(key)
+    files.append(write_manifest(target / "run.json", command="evaluate", inputs=inputs, outputs=files,
+                                parameters={k: v for k, v in parameters.items() if v is not None},
+                                account={"n_burnable": spread.n_burnable}, overwrite=given["overwrite"]))
+    session.finish({"files": files}, f"{len(priorities)} rankings at {len(budgets)} budgets; written to {output}")
+
+
+def _budgets(text: str) -> list[float]:
+    try:
+        return sorted({float(word) for word in str(text).split(",") if word.strip()})
+    except ValueError:
+        raise ParameterError(f"--budgets got {text!r}, expected shares such as 0,0.05,0.1") from None

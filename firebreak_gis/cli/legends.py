@@ -1,0 +1,44 @@
+"""firebreak legends: what vegetation codes mean."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import click
+
+from firebreak_gis import legends
+from firebreak_gis.cli import options
+from firebreak_gis.cli.session import Session
+from firebreak_gis.schema import DENSITY, VEGETATION
+
+
+@click.command("legends")
+@click.argument("name", required=False)
+@options.common
+def command(session: Session, name: str | None) -> None:
+    """List the built-in legends, or show one: NAME (or a CSV file) as a table."""
+    if name is None:
+        found = legends.names()
+        session.finish({"legends": found}, "\n".join([*found, "firebreak legends NAME shows one."]))
+        return
+    legend = legends.read_legend(name)
+    rows = [_row(entry) for entry in legend.entries]
+    lines = [f"# {line}" for line in legend.about]
+    lines += [f"{row['code']:>12}  {row['vegetation']:13} {row['density']:8} {row['label']}" for row in rows]
+    session.finish({"name": legend.name, "about": legend.about, "entries": rows}, "\n".join(lines))
+
+
+def _row(entry: legends.Entry) -> dict[str, str]:
+    code = f"{entry.low:g}" if entry.low == entry.high else f"{entry.low:g} .. {entry.high:g}"
+    return {
+        "code": code,
+        "vegetation": _word(entry.vegetation, entry.vegetation_effect, VEGETATION),
+        "density": _word(entry.density, entry.density_effect, DENSITY),
+        "label": entry.label,
+    }
+
+
+def _word(code: int | None, effect: float | None, classes: Mapping[int, str]) -> str:
+    if effect is not None:
+        return f"{effect:g}"
+    return "" if code is None else classes[code]

@@ -1,0 +1,249 @@
+"""Options that several commands share; a name means the same everywhere."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+from firebreak_gis import methods
+from firebreak_gis.cli.session import Session
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.manifest import read_config
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def _load_config(ctx: click.Context, _: click.Parameter, path: str | None) -> str | None:
+    if path is not None:
+        given = {
+            key.replace("-", "_"): [f"{k}={v}" for k, v in value.items()] if isinstance(value, Mapping) else value
+            for key, value in read_config(path).items()
+        }
+        known = {p.name for p in ctx.command.params}
+        strangers = sorted(set(given) - known)
+        if strangers:
+            raise ParameterError(
+                f"{path} has parameters that {ctx.command.name} does not know: {', '.join(strangers)}; "
+                f"it knows {', '.join(sorted(str(k) for k in known))}"
+            )
+        ctx.default_map = {**(ctx.default_map or {}), **given}
+    return path
+
+
+def common(command: F) -> F:
+    """--json, --progress, -v, -q, --config; the command gets a `Session` as `session`."""
+
+    @click.option("--config", type=click.Path(exists=True, dir_okay=False), is_eager=True, expose_value=False,
+                  callback=_load_config, help="Take parameters from a TOML file, or from the run.json of an earlier run; "
+                  "options given here win.")
+    @click.option("--json", "as_json", is_flag=True, help="Print the result as one JSON object on stdout.")
+    @click.option("--progress", "progress_mode", type=click.Choice(["bar", "json", "none"]), default="bar",
+                  show_default=True, help="How progress is shown; json prints lines on stdout and stops when it reads "
+                  "'cancel' or the end of stdin.")
+    @click.option("-v", "--verbose", is_flag=True, help="Say more.")
+    @click.option("-q", "--quiet", is_flag=True, help="Say only warnings and errors.")
+    @functools.wraps(command)
+    def wrapper(*args: Any, as_json: bool, progress_mode: str, verbose: bool, quiet: bool, **kwargs: Any) -> Any:
+        session = Session(as_json, progress_mode, -1 if quiet else int(verbose))
+        return command(*args, session=session, **kwargs)
+
+    return wrapper  # type: ignore[return-value]
+
+
+def output_folder(command: F) -> F:
+    """-o DIR and --overwrite."""
+    command = click.option("-o", "--output", type=click.Path(file_okay=False), required=True,
+                           help="Folder to write into; made if it does not exist.")(command)
+    return overwrite(command)
+
+
+def output_file(what: str) -> Callable[[F], F]:
+    """-o FILE and --overwrite."""
+
+    def decorate(command: F) -> F:
+        return overwrite(
+            click.option("-o", "--output", type=click.Path(dir_okay=False), required=True, help=f"{what} to write.")(command)
+        )
+
+    return decorate
+
+
+def overwrite(command: F) -> F:
+    """--overwrite and --co."""
+    command = click.option("--co", "creation_options", multiple=True, metavar="NAME=VALUE",
+                           help="Creation option of GDAL's COG driver, e.g. COMPRESS=ZSTD.")(command)
+    return click.option("--overwrite", is_flag=True, help="Replace existing files.")(command)
+
+
+def inputs(command: F) -> F:
+    """DEM VEGETATION [DENSITY]."""
+    command = click.argument("density", required=False)(command)
+    command = click.argument("vegetation")(command)
+    return click.argument("dem")(command)
+
+
+def landscape(command: F) -> F:
+    """How the layers are read and laid on one grid."""
+    options = [
+        click.option("--legend", default="paper", show_default=True,
+                     help="What the vegetation codes mean: a built-in name (firebreak legends) or a CSV file."),
+        click.option("--density-legend", default="density", show_default=True,
+                     help="What the density codes mean: a built-in name or a CSV file."),
+        click.option("--dst-crs", "crs", metavar="CRS", help="CRS of the grid, projected in metres "
+                     "[default: the DEM's if it is in metres, else the UTM zone]."),
+        click.option("--res", "resolution", type=float, metavar="METRES", help="Cell size [default: the DEM's]."),
+        click.option("--bounds", type=float, nargs=4, metavar="LEFT BOTTOM RIGHT TOP",
+                     help="Extent in the CRS of the grid [default: what all layers cover]."),
+        click.option("--like", type=click.Path(), help="Take the grid of this raster."),
+        click.option("--src-nodata", multiple=True, metavar="LAYER=VALUE",
+                     help="Value that means no data in dem, vegetation or density; may be repeated."),
+        click.option("--bidx", multiple=True, metavar="LAYER=BAND", help="Band to read of dem, vegetation or density."),
+        click.option("--unknown", type=click.Choice(["refuse", "nonburnable"]), default="refuse", show_default=True,
+                     help="What to do with codes that the legend does not list."),
+        click.option("--strict", is_flag=True, help="Refuse what would only be warned of."),
+        click.option("--max-memory", metavar="SIZE", help="Refuse work that needs more, e.g. 4GB "
+                     "[default: most of what is free]."),
+    ]
+    return _apply(options, command)
+
+
+def spread(command: F) -> F:
+    """The spread model and the wind."""
+    options = [
+        click.option("--model", default="alexandridis", show_default=True, help="Spread model (firebreak methods)."),
+        click.option("--wind-speed", metavar="M/S", default="0", show_default=True,
+                     help="Wind speed, a number or a raster on the grid [m/s]."),
+        click.option("--wind-from", metavar="DEGREES", default="0", show_default=True,
+                     help="Direction the wind comes from, clockwise from north: 270 is a west wind; a number or a raster."),
+        click.option("--model-param", "model_params", multiple=True, metavar="NAME=VALUE",
+                     help="Parameter of the spread model, e.g. p0=0.5; may be repeated."),
+    ]
+    return _apply(options, command)
+
+
+def ranking(command: F) -> F:
+    """--method and -p."""
+    options = [
+        click.option("--method", default="bonacich", show_default=True, help="Ranking (firebreak methods)."),
+        click.option("-p", "--param", "method_params", multiple=True, metavar="NAME=VALUE",
+                     help="Parameter of the ranking, e.g. beta=0.5; may be repeated."),
+    ]
+    return _apply(options, command)
+
+
+def fires(command: F) -> F:
+    """--runs, --ignitions, --ignition-mode."""
+    options = [
+        click.option("--runs", "n_runs", type=int, default=100, show_default=True, help="Number of simulated fires."),
+        click.option("--ignitions", metavar="PATH", help="Points (any vector file) or a raster of ignition probability "
+                     "[default: one random cell with fuel a run]."),
+        click.option("--ignition-mode", type=click.Choice(["each", "all"]), default="each", show_default=True,
+                     help="With points: runs take them in turn, or every run starts at all of them."),
+    ]
+    return _apply(options, command)
+
+
+def seed(command: F) -> F:
+    """--seed."""
+    return click.option("--seed", type=int, default=0, show_default=True, help="Seed of all draws.")(command)
+
+
+def budget(command: F) -> F:
+    """--budget."""
+    return click.option("--budget", type=float, default=0.1, show_default=True,
+                        help="Share of the cells that hold fuel to cut, 0 to 1 (14 % is 0.14).")(command)
+
+
+def _apply(options: list[Callable[[F], F]], command: F) -> F:
+    for option in reversed(options):
+        command = option(command)
+    return command
+
+
+def pairs(values: tuple[str, ...] | Mapping[str, Any], option: str) -> dict[str, Any]:
+    """Split NAME=VALUE words; a mapping (from --config) passes.
+
+    Raises
+    ------
+    ParameterError
+        If a word has no "=".
+    """
+    if isinstance(values, Mapping):
+        return dict(values)
+    result = {}
+    for word in values:
+        name, equals, value = word.partition("=")
+        if not equals or not name:
+            raise ParameterError(f"{option} got {word!r}, expected NAME=VALUE")
+        result[name.strip()] = value.strip()
+    return result
+
+
+def methods_list(text: str) -> list[tuple[str, str, dict[str, str]]]:
+    """Split "bonacich:beta=0.2,random" into (label, method, parameters)."""
+    result = []
+    for word in filter(None, (w.strip() for w in text.split(","))):
+        name, *params = word.split(":")
+        methods.load("ranking", name)
+        result.append((word, name, pairs(tuple(params), "--methods")))
+    labels = [label for label, _, _ in result]
+    if not result or len(set(labels)) != len(labels):
+        raise ParameterError(f"--methods got {text!r}, expected different names such as bonacich:beta=0.5,random")
+    return result
+
+
+def checked_seed(value: int) -> int:
+    """Refuse a negative seed."""
+    if value < 0:
+        raise ParameterError(f"--seed is {value}, expected a whole number of at least 0")
+    return value
+
+
+def _number_or_raster(value: Any) -> Any:
+    """Return a number as it is; read anything else as a raster."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        from firebreak_gis.rasters import read_raster
+
+        if not Path(str(value)).exists():
+            raise ParameterError(f"{value!r} is neither a number nor a raster that exists") from None
+        return read_raster(value)
+
+
+def byte_size(text: str | None) -> int | None:
+    """Read "4GB", "800 MiB" or a number of bytes.
+
+    Raises
+    ------
+    ParameterError
+        If the text is no size.
+    """
+    if text is None:
+        return None
+    words = str(text).strip().upper().replace("IB", "B").rstrip("B")
+    factor = {"K": 2**10, "M": 2**20, "G": 2**30, "T": 2**40}.get(words[-1:], 1)
+    try:
+        size = int(float(words.rstrip("KMGT")) * factor)
+    except ValueError:
+        size = 0
+    if size <= 0:
+        raise ParameterError(f"--max-memory got {text!r}, expected a size such as 4GB")
+    return size
+
+
+def spread_params(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Parameters of the spread model from the options, wind included where the model knows it."""
+    params = pairs(given["model_params"], "--model-param")
+    known = {p["name"] for p in methods.describe("spread", given["model"])["parameters"]}
+    for option, name in (("wind_speed", "wind_speed"), ("wind_from", "wind_from_direction")):
+        value = _number_or_raster(given[option])
+        if name in known:
+            params.setdefault(name, value)
+        elif not isinstance(value, float) or value != 0.0:
+            raise ParameterError(f"the spread model {given['model']!r} knows no wind; leave --{option.replace('_', '-')} out")
+    return params

@@ -1,0 +1,67 @@
+"""firebreak plan: the whole job."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from firebreak_gis.cli import options
+from firebreak_gis.cli.layers import input_files, read_layers, recorded
+from firebreak_gis.cli.session import Session
+
+
+@click.command("plan")
+@options.inputs
+@options.output_folder
+@options.budget
+@options.ranking
+@options.fires
+@options.seed
+@options.spread
+@options.landscape
+@options.common
+def command(session: Session, **given: Any) -> None:
+    """Plan fire breaks: DEM, VEGETATION and DENSITY rasters in, breaks and burn maps out.
+
+    The layers may have any CRS, extent and cell size; they are laid on one square grid in metres. DENSITY may be a
+    raster, one of the words sparse, normal, dense, or left out if the legend gives the density.
+    """
+    from firebreak_gis.files import make_folder, require_writable
+    from firebreak_gis.pipeline import PLAN_FILES, plan, write_plan
+    from firebreak_gis.progress import part
+
+    parameters = {**given, "method_params": options.pairs(given["method_params"], "--param"),
+                  "model_params": options.pairs(given["model_params"], "--model-param")}
+    options.checked_seed(given["seed"])
+    inputs = input_files(given)
+    target = make_folder(given["output"])
+    for name in PLAN_FILES:
+        require_writable(target / name, overwrite=given["overwrite"], forbid=inputs)
+    landscape = read_layers(given, session, progress=part(session.progress, 0.0, 0.1, "align: "))
+    result = plan(
+        landscape,
+        budget=given["budget"],
+        method=given["method"],
+        method_params=parameters["method_params"],
+        model=given["model"],
+        model_params=options.spread_params(given),
+        ignitions=given["ignitions"],
+        ignition_mode=given["ignition_mode"],
+        n_runs=given["n_runs"],
+        seed=given["seed"],
+        progress=part(session.progress, 0.1, 0.8),
+    )
+    files = write_plan(
+        result, given["output"], parameters=recorded(parameters), inputs=inputs,
+        creation_options=options.pairs(given["creation_options"], "--co"), overwrite=given["overwrite"],
+        progress=part(session.progress, 0.8, 1.0),
+    )
+    summary = result.summary
+    session.finish(
+        {"files": files, **summary},
+        f"{summary['cells_cut']} of {summary['burnable_cells']} cells with fuel cut ({summary['ha_cut']:,.1f} ha). "
+        f"Mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % without, "
+        f"{100 * summary['burnt_share_with_breaks']:.1f} % with the breaks.\n"
+        f"{len(files)} files in {given['output']}; look at overview.png first.",
+    )

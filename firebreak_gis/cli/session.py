@@ -1,0 +1,112 @@
+"""What every command shares while it runs: messages, progress, the result, a stop from outside."""
+
+from __future__ import annotations
+
+import json
+import sys
+import threading
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import click
+
+from firebreak_gis.errors import Cancelled
+from firebreak_gis.manifest import plain
+
+_BAR_WIDTH = 24
+_REPORT_EVERY = 0.1  # seconds
+
+
+@dataclass
+class Session:
+    """Talks to the person or program that called a command.
+
+    Parameters
+    ----------
+    as_json
+        The result goes to stdout as one JSON object.
+    progress_mode
+        `bar` (stderr, only on a terminal), `json` (lines on stdout; `cancel` or the end of stdin stops) or `none`.
+    verbosity
+        -1 quiet, 0 normal, 1 verbose.
+    """
+
+    as_json: bool = False
+    progress_mode: str = "bar"
+    verbosity: int = 0
+    _started: float = field(default_factory=time.monotonic)
+    _last: tuple[float, str, int] = (0.0, "", -1)
+    _stopped: threading.Event = field(default_factory=threading.Event)
+
+    def __post_init__(self) -> None:
+        """Listen for a stop where a program drives us."""
+        if self.progress_mode == "json":
+            threading.Thread(target=self._listen, daemon=True).start()
+
+    def say(self, text: str) -> None:
+        """Tell the person something, on stderr."""
+        if self.verbosity >= 0 and self.progress_mode != "json":
+            self._clear_bar()
+            click.echo(text, err=True)
+
+    def detail(self, text: str) -> None:
+        """Tell the person something that only -v asks for."""
+        if self.verbosity > 0:
+            self.say(text)
+
+    def warn(self, text: str) -> None:
+        """Tell the person of something that may be wrong; also when quiet."""
+        if self.progress_mode == "json":
+            self._print_line({"warning": text})
+        else:
+            self._clear_bar()
+            click.echo(f"Warning: {text}", err=True)
+
+    def progress(self, fraction: float, message: str) -> None:
+        """Report the share done (0 to 1); raises `Cancelled` once a stop was asked for."""
+        if self._stopped.is_set():
+            raise Cancelled("stopped as asked; no half-written file was left behind")
+        now, percent = time.monotonic(), int(100 * fraction)
+        last_time, last_message, last_percent = self._last
+        if percent == last_percent and (message == last_message or now - last_time < _REPORT_EVERY):
+            return
+        self._last = (now, message, percent)
+        if self.progress_mode == "json":
+            self._print_line({"progress": round(fraction, 4), "message": message})
+        elif self.progress_mode == "bar" and self.verbosity >= 0 and sys.stderr.isatty():
+            self._draw_bar(fraction, message, now)
+
+    def finish(self, result: Mapping[str, Any], text: str) -> None:
+        """End a command: the result as JSON on stdout, or `text` for people."""
+        self._clear_bar()
+        if self.as_json or self.progress_mode == "json":
+            self._print_line({"result": plain(result)})
+        elif self.verbosity >= 0:
+            click.echo(text)
+
+    def _draw_bar(self, fraction: float, message: str, now: float) -> None:
+        elapsed = now - self._started
+        left = elapsed * (1.0 - fraction) / fraction if fraction > 0.02 else None
+        filled = int(_BAR_WIDTH * fraction)
+        time_left = "" if left is None else f" {int(left // 60)}:{int(left % 60):02d} left"
+        bar = "#" * filled + "-" * (_BAR_WIDTH - filled)
+        sys.stderr.write(f"\r\x1b[K[{bar}] {100 * fraction:3.0f} %{time_left}  {message[:60]}")
+        sys.stderr.flush()
+
+    def _clear_bar(self) -> None:
+        if self.progress_mode == "bar" and sys.stderr.isatty():
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()
+
+    def _print_line(self, document: Mapping[str, Any]) -> None:
+        sys.stdout.write(json.dumps(document, ensure_ascii=False) + "\n")
+        sys.stdout.flush()
+
+    def _listen(self) -> None:
+        for line in sys.stdin:
+            if line.strip() == "cancel":
+                break
+        # Also at the end of stdin: whoever started us has gone.
+        self._stopped.set()

@@ -1,0 +1,104 @@
+"""The account of a run, `run.json`: what went in, what was done, what came out. It is a valid `--config`."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from firebreak_gis import __version__
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.files import sha256, write_text
+
+SOFTWARE = "firebreak_gis"
+
+
+def provenance(parameters: Mapping[str, Any], *, seed: int | None = None) -> dict[str, str]:
+    """Tags that tell which program and parameters made a file; the same for equal runs."""
+    text = json.dumps(plain(parameters), sort_keys=True)
+    tags = {"software": SOFTWARE, "version": __version__,
+            "parameters_sha256": hashlib.sha256(text.encode()).hexdigest()[:16]}
+    if seed is not None:
+        tags["seed"] = str(seed)
+    return tags
+
+
+def write_manifest(
+    path: str | os.PathLike[str],
+    *,
+    command: str,
+    parameters: Mapping[str, Any],
+    inputs: Iterable[str | os.PathLike[str]],
+    outputs: Iterable[str | os.PathLike[str]],
+    account: Mapping[str, Any],
+    overwrite: bool = False,
+) -> Path:
+    """Write the account of a run; call it last, when all outputs are in place.
+
+    Parameters
+    ----------
+    path
+        Usually `run.json` in the output folder.
+    command
+        Name of the command.
+    parameters
+        Resolved parameters, keys as the options of the command line, plain data.
+    inputs, outputs
+        Files read and written; outputs are named relative to the folder of `path`.
+    account
+        More to keep: grid, alignment, warnings, results.
+    overwrite
+        Whether an existing file may be replaced.
+    """
+    target = Path(path)
+    document = {
+        "software": SOFTWARE,
+        "version": __version__,
+        "command": command,
+        "parameters": plain(parameters),
+        "inputs": [{"path": str(p), "sha256": sha256(p)} for p in inputs],
+        **plain(account),
+        "outputs": [{"path": Path(os.path.relpath(p, target.parent)).as_posix(), "sha256": sha256(p)} for p in outputs],
+    }
+    write_text(target, json.dumps(document, indent=2, ensure_ascii=False) + "\n", overwrite=overwrite)
+    return target
+
+
+def read_config(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """Read parameters from a TOML file, or from a JSON file such as a `run.json`.
+
+    Raises
+    ------
+    ParameterError
+        If the file cannot be read or holds no parameters.
+    """
+    import tomllib
+
+    source = Path(path)
+    try:
+        text = source.read_text(encoding="utf-8")
+        document = json.loads(text) if source.suffix.lower() == ".json" else tomllib.loads(text)
+    except (OSError, UnicodeDecodeError, json.JSONDecodeError, tomllib.TOMLDecodeError) as error:
+        raise ParameterError(f"cannot read the configuration {source}: {error}") from error
+    if not isinstance(document, dict):
+        raise ParameterError(f"the configuration {source} holds no table of parameters")
+    parameters = document.get("parameters", document)
+    if not isinstance(parameters, dict):
+        raise ParameterError(f"'parameters' in {source} is not a table")
+    return parameters
+
+
+def plain(value: Any) -> Any:
+    """Turn paths, numpy numbers and tuples into JSON types."""
+    if isinstance(value, Mapping):
+        return {str(k): plain(v) for k, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(v) for v in value]
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if hasattr(value, "item") and getattr(value, "size", 1) == 1:
+        return value.item()
+    return value

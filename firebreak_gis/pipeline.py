@@ -1,0 +1,258 @@
+"""The whole way from a landscape to a plan; the only module that knows the order."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.breaks import break_polygons, select_breaks
+from firebreak_gis.evaluation import evaluate, table
+from firebreak_gis.files import make_folder, require_writable, write_text
+from firebreak_gis.ignitions import IgnitionMode
+from firebreak_gis.landscape import write_landscape
+from firebreak_gis.manifest import provenance, write_manifest
+from firebreak_gis.progress import Progress, part
+from firebreak_gis.ranking import rank
+from firebreak_gis.rasters import write_raster
+from firebreak_gis.simulation import simulate
+from firebreak_gis.spread import spread_network
+from firebreak_gis.vectors import write_vector
+
+if TYPE_CHECKING:
+    import geopandas as gpd
+    import pandas as pd
+    import xarray as xr
+
+    from firebreak_gis.network import SpreadNetwork
+
+#: Rankings that every plan is judged against.
+BASELINES = ("random", "flammability")
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A plan of fire breaks and what it saves.
+
+    Parameters
+    ----------
+    landscape
+        `elevation`, `vegetation`, `density`, `burnable` (y, x).
+    network
+        The spread network before cutting.
+    priority, breaks
+        (y, x): the ranking, and 1 where cut.
+    before, after
+        Burns of the same fires without and with the breaks, as `simulate` returns them.
+    evaluation
+        R(d_f) of the ranking and the baselines, as `evaluate` returns it.
+    parameters
+        What was asked for.
+    """
+
+    landscape: xr.Dataset
+    network: SpreadNetwork
+    priority: xr.DataArray
+    breaks: xr.DataArray
+    before: xr.Dataset
+    after: xr.Dataset
+    evaluation: xr.Dataset
+    parameters: Mapping[str, Any]
+
+    @property
+    def polygons(self) -> gpd.GeoDataFrame:
+        """Connected pieces of the breaks, see `break_polygons`."""
+        return break_polygons(self.breaks, self.priority)
+
+    @property
+    def fire_sizes(self) -> pd.DataFrame:
+        """One row a run: cells and hectares burnt without and with the breaks."""
+        import pandas as pd
+
+        area = self.network.grid.cell_area_ha
+        sizes = {"without_breaks": self.before["fire_size"].to_numpy(), "with_breaks": self.after["fire_size"].to_numpy()}
+        columns: dict[str, np.ndarray] = {"run": np.arange(self.before.sizes["run"])}
+        for name, cells in sizes.items():
+            columns[f"cells_{name}"] = cells
+            columns[f"ha_{name}"] = np.round(cells * area, 6)
+        return pd.DataFrame(columns)
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """Key figures as plain numbers."""
+        n_burnable = self.network.n_burnable
+        before, after = self.before["fire_size"].to_numpy(), self.after["fire_size"].to_numpy()
+        area = self.network.grid.cell_area_ha
+        chosen = self.evaluation.sel(ranking=self.parameters["method"], budget=self.parameters["budget"])
+        return {
+            "burnable_cells": n_burnable,
+            "burnable_ha": round(n_burnable * area, 4),
+            "cells_cut": int(self.breaks.attrs["cells_cut"]),
+            "ha_cut": round(int(self.breaks.attrs["cells_cut"]) * area, 4),
+            "burnt_share_without_breaks": float(before.mean() / n_burnable),
+            "burnt_share_with_breaks": float(after.mean() / n_burnable),
+            "burnt_share_with_breaks_p90": float(chosen["p90"]),
+            "burnt_share_with_breaks_max": float(chosen["max"]),
+            "p_value_against_random": None if self.parameters["method"] == "random" else float(chosen["p_value"]),
+        }
+
+
+def plan(
+    landscape: xr.Dataset,
+    *,
+    budget: float = 0.1,
+    method: str = "bonacich",
+    method_params: Mapping[str, Any] | None = None,
+    model: str = "alexandridis",
+    model_params: Mapping[str, Any] | None = None,
+    ignitions: Any = None,
+    ignition_mode: IgnitionMode = "each",
+    n_runs: int = 100,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> Plan:
+    """Plan fire breaks on a landscape and burn it with and without them.
+
+    Parameters
+    ----------
+    landscape
+        As `read_landscape` returns it.
+    budget
+        d_f: share of the cells that hold fuel to cut, from 0 to 1.
+    method, method_params
+        Ranking and its parameters, see `rank`.
+    model, model_params
+        Spread model and its parameters (wind), see `spread_network`.
+    ignitions, ignition_mode, n_runs, seed, threads, progress
+        As in `simulate`.
+
+    Returns
+    -------
+    Plan
+        Everything, from the network to the evaluation.
+    """
+    network = spread_network(landscape, model=model, **(model_params or {}))
+    priority = rank(network, method, seed=seed, progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
+                    **(method_params or {}))
+    breaks = select_breaks(priority, budget=budget, burnable=network.burnable)
+    fires: dict[str, Any] = {"ignitions": ignitions, "ignition_mode": ignition_mode, "n_runs": n_runs, "seed": seed,
+                             "threads": threads}
+    before = simulate(network, progress=part(progress, 0.35, 0.5, "without breaks: "), **fires)
+    after = simulate(network, breaks=breaks, progress=part(progress, 0.5, 0.6, "with breaks: "), **fires)
+    priorities = {method: priority, **{name: rank(network, name, seed=seed) for name in BASELINES if name != method}}
+    evaluation = evaluate(network, priorities, budgets=default_budgets(budget), baseline="random",
+                          progress=part(progress, 0.6, 1.0, "evaluate "), **fires)
+    parameters = {"budget": budget, "method": method, "method_params": dict(method_params or {}), "model": model,
+                  "model_params": dict(model_params or {}), "n_runs": n_runs, "seed": seed}
+    return Plan(landscape, network, priority, breaks, before, after, evaluation, parameters)
+
+
+def default_budgets(*marked: float, n_levels: int = 41) -> np.ndarray:
+    """Evenly spaced budgets from 0 to beyond the marked ones, the marked ones among them."""
+    top = min(1.0, max(0.4, 1.5 * max(marked, default=0.0)))
+    return np.unique(np.concatenate([np.round(np.linspace(0.0, top, n_levels), 6), np.array(marked)]))
+
+
+#: What a plan is written as.
+PLAN_FILES = (
+    "elevation.tif", "vegetation.tif", "density.tif", "priority.tif", "breaks.tif", "burn_frequency.tif",
+    "burn_frequency_with_breaks.tif", "breaks.gpkg", "fire_sizes.csv", "evaluation.csv", "overview.png", "run.json",
+)
+
+
+def write_plan(
+    result: Plan,
+    folder: str | os.PathLike[str],
+    *,
+    parameters: Mapping[str, Any] | None = None,
+    inputs: Sequence[str | os.PathLike[str]] = (),
+    creation_options: Mapping[str, Any] | None = None,
+    overwrite: bool = False,
+    progress: Progress | None = None,
+) -> list[Path]:
+    """Write every file of a plan into a folder, `run.json` last.
+
+    Parameters
+    ----------
+    result
+        The plan.
+    folder
+        Made if it does not exist.
+    parameters
+        Parameters to record, by default those of the plan.
+    inputs
+        Files that went in; never overwritten, their hashes are recorded.
+    creation_options
+        More options of GDAL's COG driver.
+    overwrite
+        Whether existing files may be replaced.
+    progress
+        Callback (share done, message).
+
+    Returns
+    -------
+    list of Path
+        The files of `PLAN_FILES`, each raster with a QGIS style beside it.
+
+    Raises
+    ------
+    OutputError
+        If a file exists and `overwrite` is not set, or cannot be written; checked for all before the first is written.
+    """
+    from firebreak_gis.report.figures import save
+    from firebreak_gis.report.overview import overview_figure
+
+    target = make_folder(folder)
+    for name in PLAN_FILES:
+        require_writable(target / name, overwrite=overwrite, forbid=inputs)
+    report = part(progress, 0.0, 1.0, "write ")
+    tags = provenance(parameters or result.parameters, seed=int(result.parameters["seed"]))
+    rasters: dict[str, xr.DataArray] = {
+        "priority.tif": result.priority,
+        "breaks.tif": result.breaks,
+        "burn_frequency.tif": result.before["burn_frequency"],
+        "burn_frequency_with_breaks.tif": result.after["burn_frequency"],
+    }
+    report(0.0, "landscape")
+    written = write_landscape(result.landscape, target, overwrite=overwrite, provenance=tags)
+    for i, (name, data) in enumerate(rasters.items()):
+        report(0.2 + 0.1 * i, name)
+        write_raster(target / name, data, overwrite=overwrite, provenance=tags, creation_options=creation_options)
+        written.append(target / name)
+    report(0.6, "breaks.gpkg")
+    write_vector(target / "breaks.gpkg", result.polygons, layer="breaks", overwrite=overwrite)
+    for name, frame in (("fire_sizes.csv", result.fire_sizes), ("evaluation.csv", table(result.evaluation))):
+        write_text(target / name, frame.to_csv(index=False, lineterminator="\n"), overwrite=overwrite)
+    report(0.7, "overview.png")
+    figure = overview_figure(
+        result.landscape, result.breaks, result.before, result.after, result.evaluation, title=_headline(result),
+        budget=float(result.parameters["budget"]),
+    )
+    save(figure, target / "overview.png", overwrite=overwrite)
+    written += [target / name for name in ("breaks.gpkg", "fire_sizes.csv", "evaluation.csv", "overview.png")]
+    account = {
+        "grid": result.network.grid.describe(),
+        "alignment": result.landscape.attrs.get("alignment", []),
+        "warnings": result.landscape.attrs.get("warnings", []),
+        "summary": result.summary,
+    }
+    written.append(
+        write_manifest(target / "run.json", command="plan", parameters=parameters or result.parameters, inputs=inputs,
+                       outputs=written, account=account, overwrite=overwrite)
+    )
+    report(1.0, "done")
+    return written
+
+
+def _headline(result: Plan) -> str:
+    summary = result.summary
+    return (
+        f"Fire breaks by {result.parameters['method']}: {100 * result.parameters['budget']:g} % of the fuel cut "
+        f"({summary['ha_cut']:,.0f} ha), mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % "
+        f"\N{RIGHTWARDS ARROW} {100 * summary['burnt_share_with_breaks']:.1f} %"
+    )

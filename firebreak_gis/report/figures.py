@@ -1,0 +1,116 @@
+"""Shared looks of all figures: fonts, colours from the schema, map axes, saving."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.files import replacing
+from firebreak_gis.schema import VARIABLES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.colors import Colormap
+    from matplotlib.figure import Figure
+
+    from firebreak_gis.grid import Grid
+
+#: Colour of cut cells on every map.
+BREAK_COLOUR = "#1f4fd8"
+#: Colours of rankings in curves, in order of drawing; the baseline is grey.
+LINE_COLOURS = ("#d1495b", "#00798c", "#edae49", "#30638e", "#8d5a97", "#3b7a57", "#b5651d", "#c71585")
+NO_FUEL = "#e4e4e4"
+WATER = "#c6dbe8"
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """Return an empty figure of the given size in inches; no window, no global state."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def save(figure: Figure, path: str | os.PathLike[str], *, overwrite: bool = False, dpi: int = 150) -> Path:
+    """Write a figure whole or not at all; the suffix (.png, .svg, .pdf) chooses the format. No date is stored."""
+    import matplotlib as mpl
+
+    target = Path(path)
+    kind = target.suffix.lstrip(".").lower()
+    metadata: dict[str, Any] = {"png": {"Software": None}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[kind]
+    # A fixed salt makes the identifiers inside an SVG the same each time.
+    with mpl.rc_context({"svg.hashsalt": "firebreak_gis"}), replacing(target, overwrite=overwrite) as temporary:
+        figure.savefig(temporary, dpi=dpi, format=kind, metadata=metadata)
+    return target
+
+
+def ramp(name: str) -> Colormap:
+    """Colour map of a continuous variable of the schema; no data is transparent."""
+    from matplotlib.colors import LinearSegmentedColormap
+
+    colours = [c for _, c in sorted(VARIABLES[name].colours.items())]
+    return LinearSegmentedColormap.from_list(name, colours).with_extremes(bad=(0, 0, 0, 0))
+
+
+def map_axes(axes: Axes, grid: Grid, title: str) -> None:
+    """Make `axes` a map of `grid`: equal scale, kilometres from the lower left corner, a north arrow."""
+    left, bottom, right, top = extent(grid)
+    axes.set_title(title, fontsize=10, loc="left", fontweight="bold")
+    axes.set_xlim(left, right)
+    axes.set_ylim(bottom, top)
+    axes.set_aspect("equal")
+    axes.set_facecolor(NO_FUEL)
+    axes.tick_params(labelsize=7, length=2)
+    axes.annotate("N", (0.965, 0.99), (0.965, 0.89), xycoords="axes fraction", ha="center", va="center", fontsize=7,
+                  arrowprops={"arrowstyle": "-|>", "color": "black", "lw": 0.8, "shrinkB": 0})
+
+
+def extent(grid: Grid) -> tuple[float, float, float, float]:
+    """(left, bottom, right, top) in km from the lower left corner, or in cells without a CRS."""
+    rows, cols = grid.shape
+    scale = grid.cell_size / 1000.0 if grid.crs is not None else 1.0
+    return 0.0, 0.0, cols * scale, rows * scale
+
+
+def show(axes: Axes, values: np.ndarray, grid: Grid, **options: Any) -> Any:
+    """Draw a (rows, cols) array on map axes."""
+    left, bottom, right, top = extent(grid)
+    return axes.imshow(values, extent=(left, right, bottom, top), interpolation="nearest", **options)
+
+
+def show_classes(axes: Axes, values: np.ndarray, grid: Grid, name: str) -> None:
+    """Draw a class variable in the colours of the schema, with its legend below the map."""
+    from matplotlib.colors import to_rgb
+    from matplotlib.patches import Patch
+
+    variable = VARIABLES[name]
+    picture = np.zeros((*values.shape, 3))
+    for code, colour in variable.colours.items():
+        picture[values == code] = to_rgb(colour)
+    show(axes, picture, grid)
+    patches = [Patch(facecolor=variable.colours[c], edgecolor="#666666", lw=0.4, label=t)
+               for c, t in variable.classes.items()]
+    axes.legend(handles=patches, loc="upper center", bbox_to_anchor=(0.5, -0.07), ncols=len(patches), fontsize=7,
+                frameon=False, handlelength=1.2, columnspacing=1.0)
+
+
+def hillshade(elevation: np.ndarray, cell_size: float) -> np.ndarray:
+    """Light from the north-west at 45 degrees on a (rows, cols) terrain, 0 to 1; the vertical is doubled."""
+    from matplotlib.colors import LightSource
+
+    filled = np.where(np.isfinite(elevation), elevation, np.nanmin(elevation) if np.isfinite(elevation).any() else 0.0)
+    return np.asarray(LightSource(azdeg=315, altdeg=45).hillshade(filled, vert_exag=2.0, dx=cell_size, dy=cell_size))
+
+
+def draw_breaks(axes: Axes, breaks: np.ndarray, grid: Grid) -> None:
+    """Lay cut cells over a map."""
+    from matplotlib.colors import to_rgba
+
+    picture = np.zeros((*breaks.shape, 4))
+    picture[breaks > 0] = to_rgba(BREAK_COLOUR)
+    show(axes, picture, grid)

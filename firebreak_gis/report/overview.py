@@ -1,0 +1,108 @@
+"""One page that shows a plan: terrain, fuel, burn frequency before and after, and what it saves."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.grid import Grid
+from firebreak_gis.report.curve import draw_curve
+from firebreak_gis.report.figures import (
+    BREAK_COLOUR,
+    WATER,
+    draw_breaks,
+    hillshade,
+    map_axes,
+    new_figure,
+    ramp,
+    show,
+    show_classes,
+)
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+
+def overview_figure(
+    landscape: xr.Dataset,
+    breaks: xr.DataArray,
+    before: xr.Dataset,
+    after: xr.Dataset,
+    evaluation: xr.Dataset,
+    *,
+    title: str,
+    budget: float,
+) -> Figure:
+    """Draw the overview of a plan.
+
+    Parameters
+    ----------
+    landscape
+        `elevation`, `vegetation`, `density`, `burnable`.
+    breaks
+        (y, x), above 0 where cut.
+    before, after
+        Burns without and with the breaks, as `simulate` returns them.
+    evaluation
+        As `evaluation.evaluate` returns it.
+    title
+        Headline.
+    budget
+        d_f of the plan, marked in the curve.
+    """
+    grid = Grid.of(breaks)
+    rows, cols = grid.shape
+    figure = new_figure(13.5, 2.0 + 13.5 / 3 * 2 * 0.78 * min(max(rows / cols, 0.45), 1.6))
+    figure.suptitle(title, fontsize=13, fontweight="bold")
+    axes = figure.subplots(2, 3)
+    shade = hillshade(landscape["elevation"].to_numpy().astype(float), grid.cell_size)
+    _terrain(axes[0, 0], landscape, grid, shade)
+    map_axes(axes[0, 1], grid, "Vegetation type")
+    show_classes(axes[0, 1], landscape["vegetation"].to_numpy(), grid, "vegetation")
+    map_axes(axes[0, 2], grid, "Vegetation density")
+    show_classes(axes[0, 2], landscape["density"].to_numpy(), grid, "density")
+    _frequency(axes[1, 0], before, grid, shade, "Burn frequency without breaks", None)
+    _frequency(axes[1, 1], after, grid, shade, "Burn frequency with the breaks", breaks)
+    draw_curve(axes[1, 2], evaluation, budget=budget, detail=False)
+    axes[1, 2].set_title("Burnt share against share cut", fontsize=10, loc="left", fontweight="bold")
+    return figure
+
+
+def _terrain(axes: Axes, landscape: xr.Dataset, grid: Grid, shade: np.ndarray) -> None:
+    map_axes(axes, grid, "Terrain" + ("" if grid.crs is None else " (axes in km)"))
+    elevation = landscape["elevation"].to_numpy()
+    # Flat water at the foot of the range would otherwise look like low ground.
+    water = (elevation <= 0.0) & (landscape["vegetation"].to_numpy() == 0)
+    image = show(axes, np.where(water, np.nan, elevation), grid, cmap=ramp("elevation"))
+    show(axes, np.where(water, np.nan, shade), grid, cmap="gray", alpha=0.35, vmin=0, vmax=1)
+    axes.set_facecolor(WATER)
+    bar = axes.figure.colorbar(image, ax=axes, shrink=0.75, pad=0.02)
+    bar.set_label("elevation [m]", fontsize=8)
+    bar.ax.tick_params(labelsize=7)
+
+
+def _frequency(
+    axes: Axes, burns: xr.Dataset, grid: Grid, shade: np.ndarray, title: str, breaks: xr.DataArray | None
+) -> None:
+    map_axes(axes, grid, title)
+    frequency = burns["burn_frequency"].to_numpy()
+    sizes = burns["fire_size"].to_numpy()
+    n_burnable = max(int(burns.attrs["n_burnable"]), 1)
+    show(axes, shade, grid, cmap="gray", alpha=0.35, vmin=0, vmax=1)
+    shown = np.where(frequency > 0, frequency, np.nan)
+    image = show(axes, shown, grid, cmap=ramp("burn_frequency"), vmin=0.0, vmax=1.0)
+    bar = axes.figure.colorbar(image, ax=axes, shrink=0.75, pad=0.02)
+    bar.set_label("share of runs", fontsize=8)
+    bar.ax.tick_params(labelsize=7)
+    note = f"mean burnt {100 * sizes.mean() / n_burnable:.1f} % of the fuel, worst run {100 * sizes.max() / n_burnable:.1f} %"
+    if breaks is not None:
+        from matplotlib.patches import Patch
+
+        draw_breaks(axes, breaks.to_numpy(), grid)
+        count = int(np.count_nonzero(breaks.to_numpy()))
+        axes.legend(handles=[Patch(color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {100 * count / n_burnable:.1f} %")],
+                    loc="upper left", fontsize=7, framealpha=0.85)
+    axes.set_xlabel(note, fontsize=8)
