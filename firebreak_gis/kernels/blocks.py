@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.csgraph import connected_components
-from scipy.sparse.linalg import splu
+from scipy.sparse.linalg import SuperLU, splu
 
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 
@@ -50,8 +50,27 @@ def grid_matrix(planes: np.ndarray, boundary: str) -> sp.csr_array:
     return sp.csr_array((weights, (source, target)), shape=(rows * cols, rows * cols))
 
 
-def block_bounds(matrix: sp.csr_array, tolerance: float) -> Block:
-    """Enclose the radius of a small matrix, part by part."""
+def factorise(matrix: sp.csr_array, shift: float) -> SuperLU:
+    """Factors of shift * I - A. For a shift above the radius pivots on the diagonal are safe."""
+    identity = sp.eye_array(matrix.shape[0], format="csc")
+    return splu(
+        (shift * identity - matrix).tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
+        options={"SymmetricMode": True},
+    )  # fmt: skip
+
+
+def block_bounds(matrix: sp.csr_array, tolerance: float, *, guess: float = 0.0) -> Block:
+    """Enclose the radius of a small matrix, part by part.
+
+    Parameters
+    ----------
+    matrix
+        Square, without negative entries.
+    tolerance
+        Relative distance of the bounds to aim at.
+    guess
+        A number near the radius, if one is known; saves factorisations.
+    """
     n_parts, part = connected_components(matrix, directed=True, connection="strong")
     source = np.repeat(np.arange(matrix.shape[0]), np.diff(matrix.indptr))
     inner = part[source] == part[matrix.indices]
@@ -64,7 +83,7 @@ def block_bounds(matrix: sp.csr_array, tolerance: float) -> Block:
         if ceiling[k] * (1.0 + ROUNDING) <= lower or ceiling[k] == 0.0:
             break
         cells = np.flatnonzero(part == k)
-        low, high, x = _irreducible(matrix[cells][:, cells], tolerance)
+        low, high, x = _irreducible(matrix[cells][:, cells], tolerance, guess)
         if low > lower:
             lower = low
             vector[:] = 0.0
@@ -73,19 +92,20 @@ def block_bounds(matrix: sp.csr_array, tolerance: float) -> Block:
     return Block(lower, max(lower, upper), vector)
 
 
-def _irreducible(matrix: sp.csr_array, tolerance: float) -> tuple[float, float, np.ndarray]:
+def _irreducible(matrix: sp.csr_array, tolerance: float, guess: float) -> tuple[float, float, np.ndarray]:
     """Bounds and eigenvector of an irreducible matrix by Noda's iteration (1971, doi 10.1007/BF01436384).
 
     Each step solves (mu I - A) y = x with mu the present upper bound; the bounds close quadratically.
     """
-    matrix = matrix.tocsc()
-    identity = sp.eye_array(matrix.shape[0], format="csc")
-    x = np.ones(matrix.shape[0])
+    x = _near(matrix, guess) if guess > 0.0 else None
+    smoothing = 2 if x is not None else 60
+    x = np.ones(matrix.shape[0]) if x is None else x
     lower, upper, best = 0.0, np.inf, x
     for step in range(40):
-        for _ in range(60 if step == 0 else 2):  # few steps also smooth the rounding of the solve
+        for _ in range(smoothing):  # later, a few steps smooth the rounding of the solve
             x = matrix @ x + 0.3 * x
             x /= x.max()
+        smoothing = 2
         if not x.min() > 1e-290:  # so small that ratios lose their digits: the bounds stay where they are
             break
         ratio = matrix @ x / x
@@ -96,8 +116,20 @@ def _irreducible(matrix: sp.csr_array, tolerance: float) -> tuple[float, float, 
         if upper <= lower * (1.0 + tolerance):
             break
         try:
-            y = np.abs(splu(identity * (upper * (1.0 + ROUNDING)) - matrix, diag_pivot_thresh=0.0).solve(x))
+            y = np.abs(factorise(matrix, upper * (1.0 + ROUNDING)).solve(x))
         except RuntimeError:  # the bound is the radius to the last digit
             break
         x = y / y.max()
     return lower * (1.0 - ROUNDING), upper * (1.0 + ROUNDING), best
+
+
+def _near(matrix: sp.csr_array, guess: float) -> np.ndarray | None:
+    """Inverse iteration just above a guess; None if the guess is below the radius."""
+    solver = factorise(matrix, guess * (1.0 + 1e-6))
+    x = np.ones(matrix.shape[0])
+    for _ in range(4):
+        x = solver.solve(x)
+        if not x.min() > 0.0:
+            return None
+        x /= x.max()
+    return x

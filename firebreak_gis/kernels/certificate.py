@@ -13,9 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sp
-from scipy.sparse.linalg import splu
 
-from firebreak_gis.kernels.blocks import ROUNDING, Block, block_bounds, grid_matrix
+from firebreak_gis.kernels.blocks import ROUNDING, Block, block_bounds, factorise, grid_matrix
 from firebreak_gis.kernels.linear import Operator
 from firebreak_gis.kernels.policy import kernel
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
@@ -164,16 +163,19 @@ def _cut(operator: Operator, centre: tuple[int, int], half: int) -> tuple[tuple[
     return (rows, cols), grid_matrix(operator.probability[:, rows, cols], "open")
 
 
-def _window(operator: Operator, centre: tuple[int, int], half: int, tolerance: float) -> _Window:
+def _window(
+    operator: Operator, centre: tuple[int, int], half: int, tolerance: float, guess: float = 0.0
+) -> _Window:
     cells, matrix = _cut(operator, centre, half)
-    return _Window(cells, block_bounds(matrix, tolerance))
+    return _Window(cells, block_bounds(matrix, tolerance, guess=guess))
 
 
 def _grow(operator: Operator, window: _Window, tolerance: float, progress: Progress) -> tuple[_Window, bool]:
     """Enlarge a window until its eigenvalue stays twice; whether it did, or the window is the map."""
-    before, stayed = 0.0, 0
-    for half in _HALF_SIZES:
-        window = _window(operator, window.peak, half, 1e-3 * tolerance)
+    before, stayed = window.block.lower, 0
+    sizes = [half for half in _HALF_SIZES if 2 * half + 1 > max(window.vector.shape)]
+    for half in sizes or _HALF_SIZES[-1:]:
+        window = _window(operator, window.peak, half, 1e-2 * tolerance, before)
         progress(0.6, f"largest eigenvalue at least {window.block.lower:.12g}")
         stayed = stayed + 1 if window.block.lower <= before * (1.0 + 0.1 * tolerance) else 0
         if stayed == 2:
@@ -215,7 +217,7 @@ def _raise(
         waiting[open_cells] = 1
         # Raised a little further than needed, so that the last digits come to rest.
         left = _relax(
-            operator.probability, x, queue, waiting, open_cells.size, aim * (1.0 - 1e-12), aim, operator.periodic,
+            operator.probability, x, queue, waiting, open_cells.size, aim * (1.0 - 1e-12), aim * (1.0 - ROUNDING), operator.periodic,
             _VISITS + x.size // 2,
         )  # fmt: skip
         if left == 0:
@@ -254,8 +256,7 @@ def _solve_window(
     whole = operator.apply(x, np.empty(operator.shape))[cells]
     # The small addition keeps cells positive that reach no cell outside.
     outside = np.maximum(whole.ravel() - matrix @ patch.ravel(), 0.0) + 1e-12 * patch.ravel()
-    identity = sp.eye_array(matrix.shape[0], format="csc")
-    z = splu((goal * identity - matrix).tocsc(), diag_pivot_thresh=0.0).solve(outside)
+    z = factorise(matrix, goal).solve(outside)
     if z.min() < -1e-9 * np.abs(z).max():
         block = block_bounds(matrix, 1e-12)
         if block.lower > goal:

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.sparse as sp
 from scipy.sparse.csgraph import dijkstra
-from scipy.sparse.linalg import splu
 
-from firebreak_gis.kernels.blocks import block_bounds, grid_matrix
+from firebreak_gis.kernels.blocks import block_bounds, factorise, grid_matrix
 from firebreak_gis.kernels.certificate import localised_bounds
 from firebreak_gis.kernels.linear import Operator
 from firebreak_gis.progress import Progress, part, silent
@@ -114,8 +112,7 @@ def perron_vector(
     dominant = np.flatnonzero(block.vector)
     if dominant.size == 0:
         return np.zeros(planes.shape[1:])
-    identity = sp.eye_array(matrix.shape[0], format="csc")
-    solver = splu((identity * (block.upper * (1.0 + 1e-11)) - matrix).tocsc(), diag_pivot_thresh=0.0)
+    solver = factorise(matrix, block.upper * (1.0 + 1e-11))
     x = np.ones(matrix.shape[0])
     for _ in range(5):
         x = np.abs(solver.solve(x))
