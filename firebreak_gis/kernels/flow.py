@@ -1,0 +1,372 @@
+"""Minimum vertex cuts of a patch of the grid between two ends, by maximum flow with warm starts.
+
+A cell is split into an entry and an exit joined by an arc of its cutting cost; arcs between linked cells are
+unlimited. The flow is found by Dinic's method (levels by breadth-first search, then a blocking flow by depth-first
+search). The ends grow step by step and keep the flow, so that one pass yields minimum cuts of rising balance
+(the idea of FlowCutter: Hamann, Strasser 2018, doi 10.1145/3173045; of the ends: Schild, Sommer 2015,
+doi 10.1007/978-3-319-20086-6_22).
+
+Common arguments:
+
+near
+    (n, 8) int32: number of the linked cell in each direction within the patch, -1 for none. Links go both ways.
+capacity
+    (n,) int32 >= 0: cost of cutting the cell; `UNCUTTABLE` or more: never cut.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from firebreak_gis.kernels.policy import inlined, kernel
+
+#: Capacity of a cell that may not be cut.
+UNCUTTABLE = 1 << 30
+
+_SOURCE = np.uint8(1)
+_SINK = np.uint8(2)
+
+
+@kernel
+def patch_links(
+    cells: np.ndarray, links: np.ndarray, rows: int, cols: int, row_step: np.ndarray, col_step: np.ndarray
+) -> np.ndarray:
+    """Neighbours within a patch.
+
+    Parameters
+    ----------
+    cells
+        (n,) int64 row-major cell numbers.
+    links
+        (rows * cols,) uint8: bit d set where the cell is linked to its neighbour in direction d.
+
+    Returns
+    -------
+    numpy.ndarray
+        `near`.
+    """
+    n = cells.shape[0]
+    top, bottom, left, right = rows, -1, cols, -1
+    for i in range(n):
+        row, col = cells[i] // cols, cells[i] % cols
+        top, bottom = min(top, row), max(bottom, row)
+        left, right = min(left, col), max(right, col)
+    local = np.full((max(bottom - top + 1, 0), max(right - left + 1, 0)), -1, np.int32)
+    for i in range(n):
+        local[cells[i] // cols - top, cells[i] % cols - left] = i
+    near = np.full((n, 8), -1, np.int32)
+    for i in range(n):
+        row, col = cells[i] // cols, cells[i] % cols
+        for d in range(8):
+            if (links[cells[i]] >> d) & 1:
+                r, c = (row + row_step[d]) % rows, (col + col_step[d]) % cols
+                if top <= r <= bottom and left <= c <= right:
+                    near[i, d] = local[r - top, c - left]
+    return near
+
+
+@inlined
+def _opposite(d: int) -> int:
+    return (d + 4) & 7
+
+
+@kernel
+def _levels(
+    near: np.ndarray, capacity: np.ndarray, through: np.ndarray, flow: np.ndarray, end: np.ndarray,
+    level: np.ndarray, queue: np.ndarray,
+) -> bool:
+    """Breadth-first levels of the residual graph from the source; whether the sink is reached.
+
+    Node 2 v is the entry of cell v, 2 v + 1 its exit. `level` of an unreached node is -1.
+    """
+    level[:] = -1
+    tail = 0
+    for v in range(near.shape[0]):
+        if end[v] == _SOURCE:
+            level[2 * v] = 0
+            level[2 * v + 1] = 0
+            queue[tail] = 2 * v
+            queue[tail + 1] = 2 * v + 1
+            tail += 2
+    head = 0
+    found = -1
+    while head < tail:
+        node = queue[head]
+        head += 1
+        here = level[node]
+        if found >= 0 and here >= found:
+            break
+        v = node >> 1
+        if node & 1:
+            if level[node - 1] < 0 and through[v] > 0:
+                level[node - 1] = here + 1
+                queue[tail] = node - 1
+                tail += 1
+                if end[v] == _SINK:
+                    found = here + 1
+            for d in range(8):
+                u = near[v, d]
+                if u >= 0 and level[2 * u] < 0:
+                    level[2 * u] = here + 1
+                    queue[tail] = 2 * u
+                    tail += 1
+                    if end[u] == _SINK:
+                        found = here + 1
+        else:
+            if level[node + 1] < 0 and through[v] < capacity[v]:
+                level[node + 1] = here + 1
+                queue[tail] = node + 1
+                tail += 1
+            for d in range(8):
+                u = near[v, d]
+                if u >= 0 and level[2 * u + 1] < 0 and flow[u, _opposite(d)] > 0:
+                    level[2 * u + 1] = here + 1
+                    queue[tail] = 2 * u + 1
+                    tail += 1
+                    if end[u] == _SINK:
+                        found = here + 1
+    return found >= 0
+
+
+@kernel
+def _blocking(
+    near: np.ndarray, capacity: np.ndarray, through: np.ndarray, flow: np.ndarray, end: np.ndarray,
+    level: np.ndarray, pointer: np.ndarray, path: np.ndarray,
+) -> int:
+    """Send a blocking flow along the levels; the amount sent, `UNCUTTABLE` or more if nothing can stop it."""
+    pointer[:] = 0
+    sent = np.int64(0)
+    for origin in range(2 * near.shape[0]):
+        if end[origin >> 1] != _SOURCE:
+            continue
+        path[0] = origin
+        length = 1
+        while length > 0:
+            node = path[length - 1]
+            v = node >> 1
+            if end[v] == _SINK:
+                amount = np.int64(UNCUTTABLE)
+                for i in range(length - 1):
+                    amount = min(amount, _room(near, capacity, through, flow, path[i], pointer[path[i]]))
+                if amount >= UNCUTTABLE:
+                    return UNCUTTABLE
+                keep = length
+                for i in range(length - 1):
+                    _push(near, through, flow, path[i], pointer[path[i]], amount)
+                    if keep == length and _room(near, capacity, through, flow, path[i], pointer[path[i]]) == 0:
+                        keep = i + 1
+                sent += amount
+                length = keep
+                continue
+            advanced = False
+            while pointer[node] < 9:
+                step = pointer[node]
+                target = _target(near, node, step)
+                if (
+                    target >= 0
+                    and level[target] == level[node] + 1
+                    and _room(near, capacity, through, flow, node, step) > 0
+                ):
+                    path[length] = target
+                    length += 1
+                    advanced = True
+                    break
+                pointer[node] += 1
+            if not advanced:
+                length -= 1
+                if length > 0:
+                    pointer[path[length - 1]] += 1
+    return sent
+
+
+@inlined
+def _target(near: np.ndarray, node: int, step: int) -> int:
+    """Node at the end of arc `step` (0 within the cell, 1 .. 8 to the neighbours) of `node`; -1 for none."""
+    if step == 0:
+        return node ^ 1
+    u = near[node >> 1, step - 1]
+    return -1 if u < 0 else 2 * u + 1 - (node & 1)
+
+
+@inlined
+def _room(near: np.ndarray, capacity: np.ndarray, through: np.ndarray, flow: np.ndarray, node: int, step: int) -> int:
+    """Flow that the arc can still take."""
+    v = node >> 1
+    room = np.int64(UNCUTTABLE)
+    if step == 0:
+        room = through[v] if node & 1 else min(capacity[v] - through[v], np.int64(UNCUTTABLE))
+    elif not node & 1:
+        room = flow[near[v, step - 1], _opposite(step - 1)]
+    return room
+
+
+@inlined
+def _push(near: np.ndarray, through: np.ndarray, flow: np.ndarray, node: int, step: int, amount: int) -> None:
+    v = node >> 1
+    if step == 0:
+        through[v] += -amount if node & 1 else amount
+    elif node & 1:
+        flow[v, step - 1] += amount
+    else:
+        flow[near[v, step - 1], _opposite(step - 1)] -= amount
+
+
+@kernel
+def _reached_from_sink(
+    near: np.ndarray, capacity: np.ndarray, through: np.ndarray, flow: np.ndarray, end: np.ndarray,
+    reached: np.ndarray, queue: np.ndarray,
+) -> None:
+    """Set `reached[node]` to 1 where the node can still send flow to the sink, to 0 elsewhere."""
+    reached[:] = 0
+    tail = 0
+    for v in range(near.shape[0]):
+        if end[v] == _SINK:
+            reached[2 * v] = 1
+            reached[2 * v + 1] = 1
+            queue[tail] = 2 * v
+            queue[tail + 1] = 2 * v + 1
+            tail += 2
+    head = 0
+    while head < tail:
+        node = queue[head]
+        head += 1
+        v = node >> 1
+        if node & 1:  # into an exit: from its entry if there is room, from an entry that can send flow back
+            if reached[node - 1] == 0 and through[v] < capacity[v]:
+                reached[node - 1] = 1
+                queue[tail] = node - 1
+                tail += 1
+            for d in range(8):
+                u = near[v, d]
+                if u >= 0 and reached[2 * u] == 0 and flow[v, d] > 0:
+                    reached[2 * u] = 1
+                    queue[tail] = 2 * u
+                    tail += 1
+        else:  # into an entry: from its exit if flow can go back, from the exits of all neighbours
+            if reached[node + 1] == 0 and through[v] > 0:
+                reached[node + 1] = 1
+                queue[tail] = node + 1
+                tail += 1
+            for d in range(8):
+                u = near[v, d]
+                if u >= 0 and reached[2 * u + 1] == 0:
+                    reached[2 * u + 1] = 1
+                    queue[tail] = 2 * u + 1
+                    tail += 1
+
+
+@kernel
+def best_cut(
+    near: np.ndarray, capacity: np.ndarray, ignition: np.ndarray, value: np.ndarray, orders: np.ndarray,
+    shares: np.ndarray, cut: np.ndarray,
+) -> tuple[float, float]:
+    """Find the vertex cut of a patch that saves most for its cost.
+
+    Parameters
+    ----------
+    ignition, value
+        (n,) float64 >= 0: chance that a fire starts in the cell, value lost when it burns.
+    orders
+        (n_orders, n) int64: the cells from one side of the patch to the other.
+    shares
+        (n_shares,) float64, rising, below .5: the ends hold this share of the patch.
+    cut
+        (n,) uint8, set to 1 in the cells of the best cut.
+
+    Returns
+    -------
+    tuple
+        Score (share of ignition mass x value mass that is saved, over capacity) and capacity of the best cut; score
+        0 if the patch cannot be cut.
+    """
+    n = near.shape[0]
+    total_ignition, total_value = ignition.sum(), value.sum()
+    loss = total_ignition * total_value
+    best = 0.0
+    best_cost = 0.0
+    cut[:] = 0
+    if loss <= 0.0:
+        return best, best_cost
+    through = np.empty(n, np.int32)
+    flow = np.empty((n, 8), np.int32)
+    end = np.empty(n, np.uint8)
+    level = np.empty(2 * n, np.int32)
+    queue = np.empty(2 * n, np.int32)
+    pointer = np.empty(2 * n, np.uint8)
+    for k in range(orders.shape[0]):
+        order = orders[k]
+        through[:] = 0
+        flow[:] = 0
+        end[:] = 0
+        sent = np.int64(0)
+        first, last = 0, n - 1
+        ahead, behind = 0.0, 0.0
+        for s in range(shares.shape[0]):
+            while first < last and (ahead <= shares[s] or first == 0):
+                end[order[first]] = _SOURCE
+                ahead += 0.5 * (ignition[order[first]] / total_ignition + value[order[first]] / total_value)
+                first += 1
+            while first <= last and (behind <= shares[s] or last == n - 1):
+                end[order[last]] = _SINK
+                behind += 0.5 * (ignition[order[last]] / total_ignition + value[order[last]] / total_value)
+                last -= 1
+            while _levels(near, capacity, through, flow, end, level, queue):
+                sent += _blocking(near, capacity, through, flow, end, level, pointer, queue)
+                if sent >= UNCUTTABLE or (best > 0.0 and 0.5 <= best * sent):
+                    break
+            if sent >= UNCUTTABLE or (best > 0.0 and 0.5 <= best * sent):
+                break
+            for side in range(2):
+                if side == 1:
+                    _reached_from_sink(near, capacity, through, flow, end, level, queue)
+                own_ignition, own_value, cut_ignition, cut_value, cost = 0.0, 0.0, 0.0, 0.0, 0.0
+                for v in range(n):
+                    if side == 0:
+                        inside, outside = level[2 * v + 1] >= 0, level[2 * v] < 0
+                    else:
+                        inside, outside = level[2 * v] > 0, level[2 * v + 1] == 0
+                    if inside:
+                        own_ignition += ignition[v]
+                        own_value += value[v]
+                    elif not outside:
+                        cut_ignition += ignition[v]
+                        cut_value += value[v]
+                        cost += capacity[v]
+                rest = (total_ignition - own_ignition - cut_ignition) * (total_value - own_value - cut_value)
+                saved = (loss - own_ignition * own_value - rest) / loss
+                score = saved / max(cost, 1.0)
+                if score > best:
+                    best = score
+                    best_cost = cost
+                    for v in range(n):
+                        if side == 0:
+                            cut[v] = level[2 * v] >= 0 and level[2 * v + 1] < 0
+                        else:
+                            cut[v] = level[2 * v + 1] > 0 and level[2 * v] == 0
+    return best, best_cost
+
+
+@kernel
+def pieces_after(near: np.ndarray, cut: np.ndarray) -> np.ndarray:
+    """Number of the connected piece of every cell once `cut` is removed, (n,) int32; -1 in the cut."""
+    n = near.shape[0]
+    label = np.full(n, -1, np.int32)
+    queue = np.empty(n, np.int32)
+    count = 0
+    for start in range(n):
+        if label[start] >= 0 or cut[start] != 0:
+            continue
+        label[start] = count
+        queue[0] = start
+        head, tail = 0, 1
+        while head < tail:
+            v = queue[head]
+            head += 1
+            for d in range(8):
+                u = near[v, d]
+                if u >= 0 and label[u] < 0 and cut[u] == 0:
+                    label[u] = count
+                    queue[tail] = u
+                    tail += 1
+        count += 1
+    return label

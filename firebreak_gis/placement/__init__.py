@@ -1,0 +1,1 @@
+"""What several rankings share: dissection into compartments, widening of lines, local search on fires."""

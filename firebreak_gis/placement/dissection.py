@@ -1,0 +1,322 @@
+"""Cut a landscape into compartments by nested minimum vertex cuts.
+
+A compartment is split where a wall saves most expected loss for its cost; expected loss is the chance that a fire
+starts in the compartment times the value in it, as if a fire that starts burnt all of it. The pieces are split in
+turn, which gives a tree of walls. Each wall is a minimum cut between two opposite ends, found in several directions
+and for ends of several sizes.
+"""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, patch_links, pieces_after
+from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
+from firebreak_gis.network import neighbour
+from firebreak_gis.workers import run_pieces
+
+if TYPE_CHECKING:
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
+
+#: Compartments with more cells are searched in one direction a piece of work, so that all threads are busy.
+_LARGE = 20_000
+#: Cells in a piece of work of small compartments.
+_BATCH = 20_000
+#: Largest sum of whole-number costs, so that no flow overflows.
+_COST_RANGE = 2**29
+
+
+@dataclass(frozen=True)
+class Cut:
+    """One wall of the tree.
+
+    Parameters
+    ----------
+    cells
+        (n,) int64 row-major numbers of the cells of the wall, along it.
+    cost
+        Cost of cutting them, in the unit of the setting.
+    saved
+        Expected loss that the wall saves once its parents stand, as a share of (ignition mass x value mass) of the
+        whole landscape.
+    parent
+        Position in the list of the wall that must stand before, -1 for none.
+    compartment
+        (m,) int64 cells of the compartment that is split, the wall included.
+    """
+
+    cells: np.ndarray
+    cost: float
+    saved: float
+    parent: int
+    compartment: np.ndarray
+
+
+@dataclass(frozen=True)
+class _Patches:
+    """What does not change while the landscape is split; planes are flat."""
+
+    shape: tuple[int, int]
+    links: np.ndarray
+    capacity: np.ndarray
+    cost: np.ndarray
+    ignition: np.ndarray
+    value: np.ndarray
+    directions: int
+    shares: np.ndarray
+
+    def near(self, cells: np.ndarray) -> np.ndarray:
+        return patch_links(cells, self.links, *self.shape, np.array(ROW_STEP), np.array(COL_STEP))  # type: ignore[no-any-return]
+
+    def orders(self, cells: np.ndarray, directions: Sequence[int]) -> np.ndarray:
+        """Cells sorted along each direction, (n_directions, n)."""
+        row, col = np.divmod(cells, self.shape[1])
+        angles = np.pi * np.asarray(directions) / self.directions
+        # Rounded, so that cells in line tie whatever the arithmetic; ties go by number.
+        along = np.round(np.outer(np.sin(angles), row) + np.outer(np.cos(angles), col), 6)
+        return np.argsort(along, axis=1, kind="stable")
+
+    def cut(self, cells: np.ndarray, directions: Sequence[int]) -> tuple[float, np.ndarray]:
+        """Score and mask of the best wall over the directions."""
+        mask = np.zeros(cells.size, np.uint8)
+        score, _ = best_cut(
+            self.near(cells), self.capacity[cells], self.ignition[cells], self.value[cells],
+            self.orders(cells, directions), self.shares, mask,
+        )  # fmt: skip
+        return score, mask
+
+    def loss(self, cells: np.ndarray) -> float:
+        return float(self.ignition[cells].sum() * self.value[cells].sum())
+
+
+def links(network: SpreadNetwork) -> np.ndarray:
+    """Bits of the directions in which fire can pass either way, (rows, cols) uint8."""
+    out = np.zeros(network.shape, np.uint8)
+    for d in range(8):
+        back = neighbour(network.probability[OPPOSITE[d]], d, network.boundary)
+        out |= ((network.probability[d] > 0) | (back > 0)).astype(np.uint8) << np.uint8(d)
+    return out
+
+
+def capacities(setting: Setting, burnable: np.ndarray) -> np.ndarray:
+    """Whole-number cutting costs for the flow, (rows, cols) int32; `UNCUTTABLE` where protected.
+
+    Equal costs become 1; others keep the resolution that the sum of all allows, at most a thousandth of the median.
+    """
+    cost = np.where(burnable & ~setting.protected, setting.cost, 0.0)
+    positive = cost[cost > 0]
+    scale = 1.0
+    if positive.size:
+        scale = 1.0 / positive[0]
+        if positive.min() < positive.max():
+            scale = min(1000.0 / float(np.median(positive)), _COST_RANGE / float(positive.sum()))
+    whole = np.where(cost > 0, np.maximum(np.rint(cost * scale), 1.0), 0.0).astype(np.int32)
+    whole[setting.protected] = UNCUTTABLE
+    return whole
+
+
+def dissect(
+    network: SpreadNetwork,
+    setting: Setting,
+    *,
+    directions: int = 6,
+    shares: Sequence[float] = (0.25, 0.33, 0.4),
+    smallest: int = 16,
+    threads: int | None = None,
+    progress: Progress,
+) -> list[Cut]:
+    """Split the landscape until compartments hold fewer than `smallest` cells or cannot be split.
+
+    Parameters
+    ----------
+    network, setting
+        What is planned for. Protected cells are in no wall; cells without fuel cost nothing.
+    directions
+        Directions searched for each wall, evenly spaced over half a turn.
+    shares
+        Shares of the compartment (mean of ignition and value mass) that the opposite ends hold, rising, below .5.
+    smallest
+        Compartments of fewer cells are left whole.
+    threads
+        Threads to use; changes the speed only.
+    progress
+        Callback (share done, message).
+
+    Returns
+    -------
+    list of Cut
+        Parents before children.
+
+    Notes
+    -----
+    Cost: about n ** 1.35, 12 s for 172,000 cells on two cores; memory about 200 B a cell and thread.
+    """
+    ignition, value = setting.ignition.ravel(), setting.value.ravel()
+    patches = _Patches(
+        network.shape, links(network).ravel(), capacities(setting, network.burnable).ravel(), setting.cost.ravel(),
+        ignition / max(ignition.sum(), 1e-300), value / max(value.sum(), 1e-300), directions, np.asarray(shares),
+    )  # fmt: skip
+    fuel = np.flatnonzero(network.burnable.ravel())
+    waiting = [(cells, -1) for cells in _pieces(patches, fuel, np.zeros(fuel.size, np.uint8))]
+    cuts: list[Cut] = []
+    left = total = _work(fuel.size, smallest)
+    while waiting:
+        waiting = [(cells, parent) for cells, parent in waiting if cells.size >= smallest]
+        share = 1.0 - left / max(total, 1.0)
+        left = sum(_work(cells.size / 2, smallest) for cells, _ in waiting)
+        masks = _cut_all(
+            patches, [cells for cells, _ in waiting], threads=threads,
+            progress=_scaled(progress, share, 1.0 - left / max(total, 1.0), f"{len(cuts)} walls"),
+        )  # fmt: skip
+        children = []
+        for (cells, parent), mask in zip(waiting, masks, strict=True):
+            if mask.any():
+                pieces = _pieces(patches, cells, mask)
+                wall = along(cells[mask > 0], network.shape)
+                saved = patches.loss(cells) - sum(patches.loss(piece) for piece in pieces)
+                children += [(piece, len(cuts)) for piece in pieces]
+                cuts.append(Cut(wall, float(patches.cost[wall].sum()), saved, parent, cells))
+        waiting = children
+    progress(1.0, f"{len(cuts)} walls")
+    return cuts
+
+
+def _scaled(progress: Progress, start: float, stop: float, message: str) -> Progress:
+    def report(fraction: float, text: str) -> None:  # noqa: ARG001
+        progress(start + (stop - start) * fraction, message)
+
+    return report
+
+
+def _work(n_cells: float, smallest: int) -> float:
+    """Rough work of splitting a compartment all the way down."""
+    return n_cells**1.35 if n_cells >= smallest else 0.0
+
+
+def _pieces(patches: _Patches, cells: np.ndarray, mask: np.ndarray) -> list[np.ndarray]:
+    """Cells of the connected pieces that a wall leaves."""
+    label = pieces_after(patches.near(cells), mask)
+    order = np.argsort(label, kind="stable")
+    order = order[label[order] >= 0]
+    if order.size == 0:
+        return []
+    return np.split(cells[order], np.flatnonzero(np.diff(label[order])) + 1)
+
+
+def _cut_all(
+    patches: _Patches, compartments: list[np.ndarray], *, threads: int | None, progress: Progress
+) -> list[np.ndarray]:
+    """Mask of the best wall of every compartment."""
+    every = range(patches.directions)
+    tasks: list[list[tuple[int, Sequence[int]]]] = []
+    batch: list[tuple[int, Sequence[int]]] = []
+    filled = 0
+    for i in sorted(range(len(compartments)), key=lambda i: -compartments[i].size):
+        if compartments[i].size > _LARGE:
+            tasks += [[(i, [k])] for k in every]
+            continue
+        batch.append((i, every))
+        filled += compartments[i].size
+        if filled >= _BATCH:
+            tasks.append(batch)
+            batch, filled = [], 0
+    if batch:
+        tasks.append(batch)
+    found: dict[tuple[int, int], tuple[float, np.ndarray]] = {}
+
+    def work(task: list[tuple[int, Sequence[int]]]) -> None:
+        for i, directions in task:
+            found[i, directions[0]] = patches.cut(compartments[i], directions)
+
+    run_pieces(work, tasks, threads=threads, progress=progress, message="")
+    masks = []
+    for i in range(len(compartments)):
+        options = [found[i, k] for k in every if (i, k) in found]
+        masks.append(max(options, key=lambda option: option[0])[1])  # the first of equals
+    return masks
+
+
+def along(cells: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """Cells of a line sorted along the axis in which it extends most."""
+    row, col = np.divmod(cells, shape[1])
+    if np.ptp(row) >= np.ptp(col):
+        return cells[np.lexsort((col, row))]
+    return cells[np.lexsort((row, col))]
+
+
+def sequence(saved: Sequence[float], cost: Sequence[float], parent: Sequence[int]) -> list[int]:
+    """Order of building walls, parents first, that saves most at every budget.
+
+    Walls are joined with those that they make possible as long as that raises what the group saves for its cost, and
+    groups are built by falling ratio; no order that respects the tree saves more at the end of any group.
+    Source: Horn 1972, doi 10.1137/0123021.
+
+    Parameters
+    ----------
+    saved, cost, parent
+        Of every wall; parents come before children, -1 for none.
+
+    Returns
+    -------
+    list of int
+        Positions of the walls.
+    """
+    n = len(saved)
+    children: list[list[int]] = [[] for _ in range(n)]
+    groups: list[list[tuple[float, int, float, float, list[int]]]] = [[] for _ in range(n)]
+    roots: list[tuple[float, int, float, float, list[int]]] = []
+    for i in range(n):
+        if parent[i] >= 0:
+            children[parent[i]].append(i)
+    for i in range(n - 1, -1, -1):
+        heap: list[tuple[float, int, float, float, list[int]]] = []
+        for child in children[i]:
+            if len(groups[child]) > len(heap):
+                heap, groups[child] = groups[child], heap
+            for group in groups[child]:
+                heapq.heappush(heap, group)
+            groups[child] = []
+        gain, price, members = saved[i], cost[i], [i]
+        while heap and heap[0][2] * price > gain * heap[0][3]:
+            group = heapq.heappop(heap)
+            gain, price, members = gain + group[2], price + group[3], members + group[4]
+        heapq.heappush(heap, (-gain / price if price > 0 else -np.inf, i, gain, price, members))
+        groups[i] = heap
+        if parent[i] < 0:
+            roots += heap
+    return [i for group in sorted(roots) for i in group[4]]
+
+
+def lines_first(lines: Sequence[np.ndarray], setting: Setting, score: np.ndarray) -> np.ndarray:
+    """Priority that cuts the cells of `lines` in their order, then all others by falling `score`.
+
+    Parameters
+    ----------
+    lines
+        Row-major cell numbers; a cell counts where it comes first.
+    setting
+        Gives the protected cells, which get -inf.
+    score
+        (rows, cols) rank of all other cells.
+
+    Returns
+    -------
+    numpy.ndarray
+        (rows, cols) float64.
+    """
+    flat = score.ravel().astype(np.float64)
+    cells = np.concatenate([*lines, np.zeros(0, np.int64)]).astype(np.int64)
+    _, first = np.unique(cells, return_index=True)
+    cells = cells[np.sort(first)]
+    _, rank = np.unique(flat, return_inverse=True)
+    priority = rank.astype(np.float64)
+    priority[cells] = rank.max(initial=0) + np.arange(cells.size, 0, -1.0)
+    priority[setting.protected.ravel()] = -np.inf
+    return priority.reshape(score.shape)
