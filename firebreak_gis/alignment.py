@@ -1,7 +1,7 @@
-"""Laying one layer on the grid: copied where it fits, else warped, never the wrong way round.
+"""Laying one layer on the grid: copied where it fits, else resampled, never the wrong way round.
 
-Quantities are warped by bilinear interpolation, or by the average when cells get coarser; classes by
-the nearest cell, or the mode. "Coarser" means that a cell of the grid covers at least two of the layer.
+Quantities are interpolated, or averaged when cells get coarser; classes take the nearest cell, or the
+commonest. "Coarser" means that a cell of the grid covers at least two of the layer.
 """
 
 from __future__ import annotations
@@ -15,8 +15,9 @@ from affine import Affine
 
 from firebreak_gis.errors import InputError, VerificationError
 from firebreak_gis.grid import SAME_GRID_TOLERANCE, Grid, crs_name
-from firebreak_gis.projections import outline
+from firebreak_gis.projections import outline, transform
 from firebreak_gis.rasters import Cells, Header, read_cells
+from firebreak_gis.resampling import Placed, average, bilinear, mode, nearest
 from firebreak_gis.target_grid import Account, cell_in
 
 if TYPE_CHECKING:
@@ -53,15 +54,15 @@ class Plan:
 
 def plan(header: Header, grid: Grid) -> Plan:
     """Decide from the header alone how a layer comes onto the grid."""
-    transform = _upright(header)
+    upright = _upright(header)
     left, bottom, right, top = grid.bounds
     assert grid.crs is not None
     sides = cell_in(header, grid.crs, (left + right) / 2, (bottom + top) / 2)
-    fit = _fit(transform, header, grid)
+    fit = _fit(upright, header, grid)
     if fit is not None:
         return Plan((*fit, *grid.shape), copy=True, coarser=False, cells=sides)
     coarser = grid.cell_size**2 >= COARSER * sides[0] * sides[1]
-    return Plan(_window(transform, header, grid, sides), copy=False, coarser=coarser, cells=sides)
+    return Plan(_window(upright, header, grid, sides), copy=False, coarser=coarser, cells=sides)
 
 
 def align_values(
@@ -81,10 +82,9 @@ def align_values(
     account.alignment.append(_sentence(name, header, how, grid, "average" if how.coarser else "bilinear"))
     if how.copy:
         return values
-    result = np.full(grid.shape, np.nan, dtype=np.float32)
-    if values.size:
-        _warp(values, result, header, how, grid, "average" if how.coarser else "bilinear", nodata=math.nan)
-    return result
+    if not values.size:
+        return np.full(grid.shape, np.nan, dtype=np.float32)
+    return (average if how.coarser else bilinear)(values, _placed(header, how), grid)
 
 
 def align_classes(header: Header, grid: Grid, name: str, account: Account) -> np.ndarray:
@@ -104,10 +104,9 @@ def align_classes(header: Header, grid: Grid, name: str, account: Account) -> np
     account.alignment.append(_sentence(name, header, how, grid, "mode" if how.coarser else "nearest"))
     if how.copy:
         return codes
-    result = np.full(grid.shape, MISSING, dtype=np.int32)
-    if codes.size:
-        # Missing cells vote as a class of their own: bare land must not vanish when cells get coarser.
-        _warp(codes, result, header, how, grid, "mode" if how.coarser else "nearest", nodata=None)
+    if not codes.size:
+        return np.full(grid.shape, MISSING, dtype=np.int32)
+    result = (mode if how.coarser else nearest)(codes, _placed(header, how), grid, MISSING)
     new = np.setdiff1d(result, codes)
     if np.any(new != MISSING):
         raise VerificationError(
@@ -125,12 +124,12 @@ def _upright(header: Header) -> Affine:
     return Affine(abs(t.a), 0.0, left, 0.0, -abs(t.e), top)
 
 
-def _fit(transform: Affine, header: Header, grid: Grid) -> tuple[int, int] | None:
+def _fit(upright: Affine, header: Header, grid: Grid) -> tuple[int, int] | None:
     """Row and column of the layer at which the grid begins, if its cells are cells of the layer."""
-    if header.crs != grid.crs or transform.b != 0 or transform.d != 0:
+    if header.crs != grid.crs or upright.b != 0 or upright.d != 0:
         return None
     rows, cols = grid.shape
-    corners = [~transform @ (grid.transform @ corner) for corner in ((0, 0), (cols, rows))]
+    corners = [~upright @ (grid.transform @ corner) for corner in ((0, 0), (cols, rows))]
     if any(abs(v - round(v)) > SAME_GRID_TOLERANCE for corner in corners for v in corner):
         return None
     (col, row), (last_col, last_row) = [(round(c), round(r)) for c, r in corners]
@@ -139,18 +138,18 @@ def _fit(transform: Affine, header: Header, grid: Grid) -> tuple[int, int] | Non
     return (row, col) if last_row <= header.shape[0] and last_col <= header.shape[1] else None
 
 
-def _window(transform: Affine, header: Header, grid: Grid, sides: tuple[float, float]) -> Window:
+def _window(upright: Affine, header: Header, grid: Grid, sides: tuple[float, float]) -> Window:
     """Part of the layer that touches the grid, with a margin for interpolation and curved edges."""
-    from pyproj import Transformer
-
     x, y = outline(grid.transform, grid.shape, points=41)
-    if header.crs != grid.crs:
-        x, y = Transformer.from_crs(grid.crs, header.crs, always_xy=True).transform(x, y)
+    assert grid.crs is not None
+    x, y = transform(grid.crs, header.crs, x, y)
     if header.crs is not None and header.crs.is_geographic:
         # The same turn of the globe as the layer.
         x = np.unwrap(x, period=360.0)
         x = x - 360.0 * round((float(x.mean()) - (header.bounds[0] + header.bounds[2]) / 2) / 360.0)
-    col, row = ~transform @ (np.asarray(x), np.asarray(y))
+    x, y = (np.asarray(part) for part in (x, y))
+    inverse = ~upright
+    col, row = inverse.a * x + inverse.b * y + inverse.c, inverse.d * x + inverse.e * y + inverse.f
     margin = 3 + math.ceil(2 * grid.cell_size / min(sides))
     rows, cols = header.shape
     first_row, last_row = max(math.floor(row.min()) - margin, 0), min(math.ceil(row.max()) + margin, rows)
@@ -201,37 +200,9 @@ def _as_codes(cells: Cells, header: Header) -> np.ndarray:
     return codes
 
 
-def _warp(
-    values: np.ndarray,
-    result: np.ndarray,
-    header: Header,
-    how: Plan,
-    grid: Grid,
-    method: str,
-    nodata: float | None,
-) -> None:
-    """Fill `result` from `values`; exact transformation, one thread, so that any tiling gives the same."""
-    from rasterio.enums import Resampling
-    from rasterio.warp import reproject
-
+def _placed(header: Header, how: Plan) -> Placed:
     assert header.crs is not None
-    assert grid.crs is not None
-    offset = Affine.translation(how.window[1], how.window[0])
-    reproject(
-        np.ascontiguousarray(values),
-        result,
-        src_transform=_upright(header) @ offset,
-        src_crs=header.crs.to_wkt(),
-        dst_transform=grid.transform,
-        dst_crs=grid.crs.to_wkt(),
-        src_nodata=nodata,
-        dst_nodata=nodata,
-        # Without "no data" the result keeps what it was filled with.
-        init_dest_nodata=nodata is not None,
-        resampling=Resampling[method],
-        tolerance=0,
-        num_threads=1,
-    )
+    return Placed(_upright(header), header.crs, how.window[0], how.window[1], how.window[2:])
 
 
 def _sentence(name: str, header: Header, how: Plan, grid: Grid, method: str) -> str:
@@ -240,7 +211,9 @@ def _sentence(name: str, header: Header, how: Plan, grid: Grid, method: str) -> 
         return f"{name}: copied cell by cell, its cells are those of the grid"
     t = header.transform
     turned = ", rotated" if t.b != 0 or t.d != 0 else ", south-up" if t.e > 0 else ""
-    what = f"cells of {abs(t.a):.6g} x {abs(t.e):.6g} in {crs_name(header.crs)}{turned}"
+    what = (
+        f"cells of {math.hypot(t.a, t.d):.6g} x {math.hypot(t.b, t.e):.6g} in {crs_name(header.crs)}{turned}"
+    )
     width, height = how.cells
     size = f"about {width:.4g} x {height:.4g} m"
     return f"{name}: resampled by {method} from {what} ({size}) to {grid.cell_size:g} m"

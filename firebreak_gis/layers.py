@@ -58,6 +58,11 @@ def elevation_on(header: Header, grid: Grid, account: Account, strict: bool) -> 
             f"elevation: multiplied by {factor:.9g} to get metres from "
             f"{header.units or 'the unit of its CRS'}"
         )
+    elif word in ("", "1", "unknown") and "foot" in _unit_of(header):
+        account.warnings.append(
+            f"elevation: its CRS is in {_unit_of(header)} but its own unit is not stated and was taken "
+            "as metres; if it is feet, set it: gdal_edit.py -units ft FILE"
+        )
     if not np.isfinite(values).any():
         raise InputError(
             f"{header.path} (elevation) holds no data on the grid; is its no-data value the true one?"
@@ -76,6 +81,10 @@ def elevation_on(header: Header, grid: Grid, account: Account, strict: bool) -> 
             f"elevation: {int(deep.sum())} cells below {LOWEST:g} m were taken as sea bed, without elevation"
         )
     return values
+
+
+def _unit_of(header: Header) -> str:
+    return "" if header.crs is None else str(header.crs.axis_info[0].unit_name)
 
 
 def codes_on(header: Header, grid: Grid, name: str, table: Legend, account: Account) -> np.ndarray:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from firebreak_gis.grid import crs_name
 
 if TYPE_CHECKING:
     from affine import Affine
-    from pyproj import CRS
+    from pyproj import CRS, Transformer
 
 #: A unit that differs from a true metre on the ground by more than this share is not used for slopes.
 METRE_TOLERANCE = 0.05
@@ -82,21 +83,36 @@ def require_plausible(crs: CRS, bounds: tuple[float, float, float, float], where
 
 def to_lonlat(crs: CRS, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return longitude and latitude in degrees (WGS 84); inf where a point has none."""
+    return transform(crs, None, x, y)
+
+
+def transform(source: CRS, target: CRS | None, x: Any, y: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return coordinates of `source` in `target` (None: degrees in WGS 84), inf where impossible.
+
+    Always x (east, longitude) first, whatever order the CRS has.
+    """
+    if source == target:
+        return np.asarray(x, dtype=float), np.asarray(y, dtype=float)
+    tx, ty = _transformer(source, target).transform(x, y)
+    return np.asarray(tx, dtype=float), np.asarray(ty, dtype=float)
+
+
+@functools.lru_cache(maxsize=64)  # finding the best of several ways between two systems takes 0.1 s
+def _transformer(source: CRS, target: CRS | None) -> Transformer:
     from pyproj import Transformer
 
-    lon, lat = Transformer.from_crs(crs, "EPSG:4326", always_xy=True).transform(x, y)
-    return np.asarray(lon, dtype=float), np.asarray(lat, dtype=float)
+    return Transformer.from_crs(source, "EPSG:4326" if target is None else target, always_xy=True)
 
 
 def suggest_utm(lon: np.ndarray, lat: np.ndarray) -> CRS:
-    """Return the UTM (near the poles: UPS) CRS for an outline of longitudes and latitudes in degrees.
+    """Return the UTM (near the poles: UPS) CRS for a range of longitudes and latitudes in degrees.
 
-    Right across the antimeridian: the longitudes are first made continuous along the outline.
+    Longitudes must be continuous: 179 to 181 (or -181 to -179) is two degrees wide, 179 to -179 is 358.
 
     Raises
     ------
     CRSError
-        If the outline is not finite or too wide for one zone.
+        If the range is not finite or too wide for one zone.
     """
     from pyproj import CRS
 
@@ -105,7 +121,6 @@ def suggest_utm(lon: np.ndarray, lat: np.ndarray) -> CRS:
             "the extent reaches beyond what its CRS can describe; crop the raster, or give --bounds and "
             "--dst-crs"
         )
-    lon = np.unwrap(lon, period=360.0)
     width = float(lon.max() - lon.min())
     middle_lat = float(lat.min() + lat.max()) / 2
     if abs(middle_lat) > 84 or (middle_lat < -80):

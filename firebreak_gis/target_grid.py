@@ -13,7 +13,15 @@ from affine import Affine
 
 from firebreak_gis.errors import CRSError, GridError, ParameterError
 from firebreak_gis.grid import SAME_GRID_TOLERANCE, Grid, crs_name, parse_crs
-from firebreak_gis.projections import convergence, horizontal, outline, suggest_utm, to_lonlat, unsuitable
+from firebreak_gis.projections import (
+    convergence,
+    horizontal,
+    outline,
+    suggest_utm,
+    to_lonlat,
+    transform,
+    unsuitable,
+)
 from firebreak_gis.rasters import Header, read_header, require_georeferenced
 
 if TYPE_CHECKING:
@@ -101,26 +109,22 @@ def choose_grid(
 
 def cell_in(header: Header, target: CRS, x: float, y: float) -> tuple[float, float]:
     """Return the sides of a cell of `header`, measured in `target`, at the point (x, y) of `target`."""
-    from pyproj import Transformer
-
-    source = header.crs
-    t = header.transform
+    source, t = header.crs, header.transform
+    assert source is not None
     if source == target:
         return math.hypot(t.a, t.d), math.hypot(t.b, t.e)
-    x0, y0 = Transformer.from_crs(target, source, always_xy=True).transform(x, y)
+    x0, y0 = (float(v) for v in transform(target, source, x, y))
     xs = np.array([x0 - t.a / 2, x0 + t.a / 2, x0 - t.b / 2, x0 + t.b / 2])
     ys = np.array([y0 - t.d / 2, y0 + t.d / 2, y0 - t.e / 2, y0 + t.e / 2])
-    tx, ty = Transformer.from_crs(source, target, always_xy=True).transform(xs, ys)
+    tx, ty = transform(source, target, xs, ys)
     return float(np.hypot(tx[1] - tx[0], ty[1] - ty[0])), float(np.hypot(tx[3] - tx[2], ty[3] - ty[2]))
 
 
 def box_in(header: Header, target: CRS) -> Box:
     """Return (left, bottom, right, top) of the footprint of a layer in `target`."""
-    from pyproj import Transformer
-
+    assert header.crs is not None
     x, y = outline(header.transform, header.shape)
-    if header.crs != target:
-        x, y = Transformer.from_crs(header.crs, target, always_xy=True).transform(x, y)
+    x, y = transform(header.crs, target, x, y)
     inside = np.isfinite(x) & np.isfinite(y)
     if not inside.all():
         raise CRSError(
@@ -199,13 +203,9 @@ def _common_centre(layers: Mapping[str, Header]) -> tuple[np.ndarray, np.ndarray
 
 
 def _target_crs(dem: Header, wish: Any, centre: tuple[np.ndarray, np.ndarray], account: Account) -> CRS:
-    from pyproj import Transformer
-
     assert dem.crs is not None
     target = dem.crs if wish is None else horizontal(parse_crs(wish))
-    x, y = Transformer.from_crs("EPSG:4326", target, always_xy=True).transform(
-        centre[0].mean(), centre[1].mean()
-    )
+    x, y = (float(v) for v in transform(parse_crs("EPSG:4326"), target, centre[0].mean(), centre[1].mean()))
     why = unsuitable(target, x, y) if math.isfinite(x) and math.isfinite(y) else "does not cover this place"
     if why is None:
         return target

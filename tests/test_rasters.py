@@ -333,7 +333,7 @@ def refuse_cases(folder):
         (folder / "html.tif", "XML or HTML"),
         (lfs, "Git LFS"),
         (cut, "damaged or cut off|cannot be read"),
-        (vrt, "XML"),
+        (vrt, "virtual raster"),
         (write(folder / "rgb.tif", np.stack([flat] * 3), photometric="RGB"), "picture"),
         (write(folder / "many.tif", np.stack([flat] * 5)), "5 bands"),
         (write(folder / "complex.tif", flat.astype("complex64")), "complex64"),

@@ -126,10 +126,6 @@ def open_raster(path: str | os.PathLike[str], *, remote: bool = False) -> Iterat
                 "that GDAL reads?"
             ) from error
     with source:
-        if source.driver == "VRT" and not name.lower().endswith(".vrt") and not name.lstrip().startswith("<"):
-            raise InputError(
-                f"{name} is a virtual raster (VRT) under another name; name it .vrt if that is what you mean"
-            )
         yield source
 
 
@@ -304,6 +300,10 @@ def _look_first(name: str, remote: bool) -> None:
     if start.startswith(b"version https://git-lfs"):
         raise InputError(
             f"{name} is a Git LFS pointer, a text in place of the file; fetch it with: git lfs pull"
+        )
+    if b"<VRTDataset" in start and path.suffix.lower() != ".vrt":
+        raise InputError(
+            f"{name} is a virtual raster (VRT) under another name; name it .vrt if that is what you mean"
         )
     if start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") and path.suffix.lower() != ".vrt":
         raise InputError(
