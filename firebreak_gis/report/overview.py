@@ -64,8 +64,10 @@ def overview_figure(
     show_classes(axes[0, 1], landscape["vegetation"].to_numpy(), grid, "vegetation")
     map_axes(axes[0, 2], grid, "Vegetation density")
     show_classes(axes[0, 2], landscape["density"].to_numpy(), grid, "density")
-    _frequency(axes[1, 0], before, grid, shade, "Burn frequency without breaks", None)
-    _frequency(axes[1, 1], after, grid, shade, "Burn frequency with the breaks", breaks)
+    # One scale for both maps, no higher than needed, so that rare fires still show.
+    top = max(0.1, float(np.ceil(10 * np.nanmax(before["burn_frequency"].to_numpy(), initial=0.0)) / 10))
+    _frequency(axes[1, 0], before, grid, shade, "Burn frequency without breaks", None, top)
+    _frequency(axes[1, 1], after, grid, shade, "Burn frequency with the breaks", breaks, top)
     draw_curve(axes[1, 2], evaluation, budget=budget, detail=False)
     axes[1, 2].set_title("Burnt share against share cut", fontsize=10, loc="left", fontweight="bold")
     return figure
@@ -85,7 +87,7 @@ def _terrain(axes: Axes, landscape: xr.Dataset, grid: Grid, shade: np.ndarray) -
 
 
 def _frequency(
-    axes: Axes, burns: xr.Dataset, grid: Grid, shade: np.ndarray, title: str, breaks: xr.DataArray | None
+    axes: Axes, burns: xr.Dataset, grid: Grid, shade: np.ndarray, title: str, breaks: xr.DataArray | None, top: float
 ) -> None:
     map_axes(axes, grid, title)
     frequency = burns["burn_frequency"].to_numpy()
@@ -93,7 +95,7 @@ def _frequency(
     n_burnable = max(int(burns.attrs["n_burnable"]), 1)
     show(axes, shade, grid, cmap="gray", alpha=0.35, vmin=0, vmax=1)
     shown = np.where(frequency > 0, frequency, np.nan)
-    image = show(axes, shown, grid, cmap=ramp("burn_frequency"), vmin=0.0, vmax=1.0)
+    image = show(axes, shown, grid, cmap=ramp("burn_frequency"), vmin=0.0, vmax=top)
     bar = axes.figure.colorbar(image, ax=axes, shrink=0.75, pad=0.02)
     bar.set_label("share of runs", fontsize=8)
     bar.ax.tick_params(labelsize=7)
