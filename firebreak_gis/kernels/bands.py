@@ -6,6 +6,7 @@ are therefore the same bits for any number of threads. Kernels release the inter
 
 from __future__ import annotations
 
+import itertools
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -55,5 +56,6 @@ class Bands:
         if self._pool is None:
             call(self._edges[0], self._edges[-1])
             return
-        for future in [self._pool.submit(call, a, b) for a, b in zip(self._edges, self._edges[1:], strict=False)]:
+        bands = itertools.pairwise(self._edges)
+        for future in [self._pool.submit(call, first, stop) for first, stop in bands]:
             future.result()

@@ -37,17 +37,21 @@ class Block:
     vector: np.ndarray
 
 
-def grid_matrix(planes: np.ndarray, boundary: str) -> sp.csr_array:
-    """Matrix of a small grid, or of a window cut out of a large one (boundary "open"), float64."""
+def grid_matrix(planes: np.ndarray, boundary: str, weights: np.ndarray | None = None) -> sp.csr_array:
+    """Matrix of a small grid, or of a window cut out of a large one (boundary "open"), float64.
+
+    `weights` (8,) are factors of the planes.
+    """
     _, rows, cols = planes.shape
     d, row, col = np.nonzero(planes)
     to_row, to_col = row + np.array(ROW_STEP)[d], col + np.array(COL_STEP)[d]
     if boundary == "periodic":
         to_row, to_col = to_row % rows, to_col % cols
     inside = (to_row >= 0) & (to_row < rows) & (to_col >= 0) & (to_col < cols)
-    weights = planes[d, row, col].astype(np.float64)[inside]
+    values = planes[d, row, col].astype(np.float64)
+    values = (values if weights is None else values * weights[d])[inside]
     source, target = (row * cols + col)[inside], (to_row * cols + to_col)[inside]
-    return sp.csr_array((weights, (source, target)), shape=(rows * cols, rows * cols))
+    return sp.csr_array((values, (source, target)), shape=(rows * cols, rows * cols))
 
 
 def factorise(matrix: sp.csr_array, shift: float) -> SuperLU:

@@ -111,6 +111,23 @@ def localised_bounds(
     return lower, upper, best_x
 
 
+def tilt(probability: np.ndarray) -> np.ndarray:
+    """Factors of the planes, (8,), under which wind does not push the power steps off an open map.
+
+    Scaling x by exp(a * row + b * col) multiplies plane d by exp(a * row step + b * col step) and keeps the
+    eigenvalues. a and b minimise the mean row sum, a convex function, by Newton's method.
+    """
+    mean = probability.mean(axis=(1, 2), dtype=np.float64)
+    steps = np.array([ROW_STEP, COL_STEP], dtype=np.float64)
+    slope = np.zeros(2)
+    for _ in range(50):
+        terms = mean * np.exp(slope @ steps)
+        curvature = (steps * terms) @ steps.T + 1e-9 * np.eye(2)
+        move = np.linalg.solve(curvature, steps @ terms)
+        slope = np.clip(slope - move / max(1.0, float(np.abs(move).max())), -5.0, 5.0)
+    return np.exp(slope @ steps)
+
+
 def _power_steps(operator: Operator, progress: Progress) -> tuple[np.ndarray, np.ndarray, float]:
     """Vector after some steps of A + s I from 1, a spare vector, and the upper bound that it gives."""
     x, y = np.ones(operator.shape), np.empty(operator.shape)
@@ -139,10 +156,8 @@ def _spots(x: np.ndarray) -> list[tuple[int, int]]:
     rows, cols = x.shape
     peaks = []
     for r in range(0, rows, tile):
-        band = x[r : r + tile]
-        best = band.max(axis=0)
-        for c in range(0, cols, tile):
-            peaks.append((-float(best[c : c + tile].max()), r, c))
+        best = x[r : r + tile].max(axis=0)
+        peaks += [(-float(best[c : c + tile].max()), r, c) for c in range(0, cols, tile)]
     spots = []
     for _, r, c in sorted(peaks)[:_SPOTS]:
         patch = x[r : r + tile, c : c + tile]
@@ -160,7 +175,9 @@ def _cut(operator: Operator, centre: tuple[int, int], half: int) -> tuple[tuple[
         else:
             axes.append(np.arange(max(0, at - half), min(at + half + 1, size)))
     rows, cols = np.ix_(*axes)
-    return (rows, cols), grid_matrix(operator.probability[:, rows, cols], "open")
+    whole = operator.periodic and (rows.size, cols.size) == operator.shape
+    planes = operator.probability[:, rows, cols]
+    return (rows, cols), grid_matrix(planes, "periodic" if whole else "open", operator.weights)
 
 
 def _window(
@@ -181,7 +198,9 @@ def _grow(operator: Operator, window: _Window, tolerance: float, progress: Progr
         if stayed == 2:
             break
         before = max(before, window.block.lower)
-    return window, stayed > 0 or window.vector.shape == operator.shape
+    full = [size == of for size, of in zip(window.vector.shape, operator.shape, strict=True)]
+    # A window round a torus in one direction only is cut where the torus is not.
+    return window, all(full) or (stayed > 0 and not (operator.periodic and any(full)))
 
 
 def _lift(operator: Operator, x: np.ndarray, window: _Window) -> None:
@@ -217,8 +236,8 @@ def _raise(
         waiting[open_cells] = 1
         # Raised a little further than needed, so that the last digits come to rest.
         left = _relax(
-            operator.probability, x, queue, waiting, open_cells.size, aim * (1.0 - 1e-12), aim * (1.0 - ROUNDING), operator.periodic,
-            _VISITS + x.size // 2,
+            operator.probability, operator.weights, x, queue, waiting, open_cells.size, aim * (1.0 - 1e-12),
+            aim * (1.0 - ROUNDING), operator.periodic, _VISITS + x.size // 2,
         )  # fmt: skip
         if left == 0:
             continue
@@ -255,7 +274,7 @@ def _solve_window(
     patch = x[cells]
     whole = operator.apply(x, np.empty(operator.shape))[cells]
     # The small addition keeps cells positive that reach no cell outside.
-    outside = np.maximum(whole.ravel() - matrix @ patch.ravel(), 0.0) + 1e-12 * patch.ravel()
+    outside = np.maximum(whole.ravel() - matrix @ patch.ravel(), 0.0) + np.maximum(1e-12 * patch.ravel(), 1e-200)
     z = factorise(matrix, goal).solve(outside)
     if z.min() < -1e-9 * np.abs(z).max():
         block = block_bounds(matrix, 1e-12)
@@ -267,7 +286,7 @@ def _solve_window(
 
 @kernel
 def _relax(
-    probability: np.ndarray, x: np.ndarray, queue: np.ndarray, waiting: np.ndarray, n_open: int, to: float,
+    probability: np.ndarray, weights: np.ndarray, x: np.ndarray, queue: np.ndarray, waiting: np.ndarray, n_open: int, to: float,
     above: float, periodic: bool, limit: int,
 ) -> int:  # fmt: skip
     """Raise x cell by cell, first come first served, where A x > `above` * x; returns the cells left open."""
@@ -290,7 +309,7 @@ def _relax(
             if periodic:
                 r, c = r % rows, c % cols
             if 0 <= r < rows and 0 <= c < cols:
-                total += np.float64(probability[d, row, col]) * x[r, c]
+                total += weights[d] * probability[d, row, col] * x[r, c]
         if total <= above * x[row, col]:
             continue
         x[row, col] = total / to

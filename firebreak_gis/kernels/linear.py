@@ -46,18 +46,27 @@ class Operator:
         `"open"` or `"periodic"` (then at least 3 rows and columns).
     transpose
         Whether to multiply by A^T.
+    weights
+        (8,) factors of the planes; default 1.
     threads
         Number of threads; the result does not depend on it.
     """
 
     def __init__(
-        self, probability: np.ndarray, *, boundary: str = "open", transpose: bool = False, threads: int | None = None
+        self,
+        probability: np.ndarray,
+        *,
+        boundary: str = "open",
+        transpose: bool = False,
+        weights: np.ndarray | None = None,
+        threads: int | None = None,
     ) -> None:
         planes = np.ascontiguousarray(probability, dtype=np.float32).view()
         planes.flags.writeable = False  # one compiled version for frozen and other arrays
         self.probability = planes
         self.periodic = boundary == "periodic"
         self.transpose = transpose
+        self.weights = np.ones(8) if weights is None else np.asarray(weights, dtype=np.float64)
         self.shape: tuple[int, int] = (planes.shape[1], planes.shape[2])
         self._bands = Bands(self.shape, threads)
         self._by_row = np.empty(self.shape[0])
@@ -73,7 +82,8 @@ class Operator:
     def apply(self, x: np.ndarray, out: np.ndarray, *, shift: float = 0.0, scale: float = 1.0) -> np.ndarray:
         """Write shift + scale * (A x) to `out`, both (rows, cols) float64 and not the same array."""
         rows = _rows_in if self.transpose else _rows_out
-        self._bands.run(lambda a, b: rows(self.probability, x, out, shift, scale, self.periodic, a, b))
+        weights = scale * self.weights
+        self._bands.run(lambda a, b: rows(self.probability, x, out, shift, weights, self.periodic, a, b))
         return out
 
     def change(self, x: np.ndarray, y: np.ndarray) -> float:
@@ -133,10 +143,10 @@ def katz(
     """Solve x = (I - c A)^-1 A 1 for an attenuation c below 1 / lambda_max.
 
     With z = 1 + c x the system is z = 1 + c A z, whose right side is 1. The inverse has no negative entry, so
-    a residual of at most t in every cell bounds the error of every z, and of x = A z, by t relative to its true
-    value; this is how the work knows when to stop. Cost: log(tolerance) / log(contraction) products for the
-    Neumann series; fewer by BiCGSTAB, which takes over above `KRYLOV_ABOVE`. Memory: 2 (Neumann) or 7 (BiCGSTAB)
-    vectors of 8 B a cell.
+    a residual of at most t in every cell bounds the error of every z, and of x = A z, by t relative to its
+    true value; this is how the work knows when to stop. Cost: log(tolerance) / log(contraction) products for
+    the Neumann series; fewer by BiCGSTAB, which takes over above `KRYLOV_ABOVE`. Memory: 2 (Neumann) or 7
+    (BiCGSTAB) vectors of 8 B a cell.
 
     Parameters
     ----------
@@ -197,7 +207,12 @@ def _neumann(
 
 
 def _bicgstab(
-    operator: Operator, attenuation: float, z: np.ndarray, spare: np.ndarray, tolerance: float, progress: Progress
+    operator: Operator,
+    attenuation: float,
+    z: np.ndarray,
+    spare: np.ndarray,
+    tolerance: float,
+    progress: Progress,
 ) -> int:
     """Improve z in place by BiCGSTAB (van der Vorst 1992, doi 10.1137/0913035); returns the products used."""
 
@@ -206,7 +221,8 @@ def _bicgstab(
         return operator.combine(1.0, x, 1.0, out, out)
 
     zero = np.zeros(operator.shape)
-    residual = operator.combine(1.0, operator.apply(z, spare, shift=1.0, scale=attenuation), -1.0, z, spare.copy())
+    operator.apply(z, spare, shift=1.0, scale=attenuation)
+    residual = operator.combine(1.0, spare, -1.0, z, np.empty_like(z))
     shadow = residual.copy()
     direction, image, second = residual.copy(), np.empty_like(z), np.empty_like(z)
     rho = operator.dot(shadow, residual)
@@ -244,8 +260,9 @@ def _bicgstab(
 
 @kernel
 def _cell(
-    probability: np.ndarray, x: np.ndarray, row: int, col: int, periodic: bool, transpose: bool
-) -> float:
+    probability: np.ndarray, x: np.ndarray, weights: np.ndarray, row: int, col: int, periodic: bool,
+    transpose: bool,
+) -> float:  # fmt: skip
     """One row of A x (or A^T x) at the rim of the grid."""
     rows, cols = x.shape
     term = np.zeros(8)
@@ -258,56 +275,62 @@ def _cell(
             c %= cols
         if 0 <= r < rows and 0 <= c < cols:
             p = probability[d, r, c] if transpose else probability[d, row, col]
-            term[d] = p * x[r, c]
+            term[d] = weights[d] * p * x[r, c]
     return ((term[0] + term[4]) + (term[2] + term[6])) + ((term[1] + term[5]) + (term[3] + term[7]))
 
 
 @kernel
 def _rows_out(
-    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, scale: float, periodic: bool,
+    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, weights: np.ndarray, periodic: bool,
     first: int, stop: int,
 ) -> None:  # fmt: skip
     rows, cols = x.shape
+    f0, f1, f2, f3 = weights[0], weights[1], weights[2], weights[3]
+    f4, f5, f6, f7 = weights[4], weights[5], weights[6], weights[7]
     for row in range(first, stop):
         if row == 0 or row == rows - 1 or cols < 3:
             for col in range(cols):
-                y[row, col] = shift + scale * _cell(probability, x, row, col, periodic, False)
+                y[row, col] = shift + _cell(probability, x, weights, row, col, periodic, False)
             continue
         # Rows as separate arrays: only so are the loops over columns vectorised.
         n, ne, e, se = probability[0, row], probability[1, row], probability[2, row], probability[3, row]
         s, sw, w, nw = probability[4, row], probability[5, row], probability[6, row], probability[7, row]
         up, at, down, out = x[row - 1], x[row], x[row + 1], y[row]
         for c in range(1, cols - 1):
-            sides = (n[c] * up[c] + s[c] * down[c]) + (e[c] * at[c + 1] + w[c] * at[c - 1])
-            corners = (ne[c] * up[c + 1] + sw[c] * down[c - 1]) + (se[c] * down[c + 1] + nw[c] * up[c - 1])
-            out[c] = shift + scale * (sides + corners)
-        out[0] = shift + scale * _cell(probability, x, row, 0, periodic, False)
-        out[cols - 1] = shift + scale * _cell(probability, x, row, cols - 1, periodic, False)
+            sides = (f0 * n[c] * up[c] + f4 * s[c] * down[c]) + (f2 * e[c] * at[c + 1] + f6 * w[c] * at[c - 1])
+            rising = f1 * ne[c] * up[c + 1] + f5 * sw[c] * down[c - 1]
+            falling = f3 * se[c] * down[c + 1] + f7 * nw[c] * up[c - 1]
+            out[c] = shift + (sides + (rising + falling))
+        out[0] = shift + _cell(probability, x, weights, row, 0, periodic, False)
+        out[cols - 1] = shift + _cell(probability, x, weights, row, cols - 1, periodic, False)
 
 
 @kernel
 def _rows_in(
-    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, scale: float, periodic: bool,
+    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, weights: np.ndarray, periodic: bool,
     first: int, stop: int,
 ) -> None:  # fmt: skip
     rows, cols = x.shape
+    f0, f1, f2, f3 = weights[0], weights[1], weights[2], weights[3]
+    f4, f5, f6, f7 = weights[4], weights[5], weights[6], weights[7]
     for row in range(first, stop):
         if row == 0 or row == rows - 1 or cols < 3:
             for col in range(cols):
-                y[row, col] = shift + scale * _cell(probability, x, row, col, periodic, True)
+                y[row, col] = shift + _cell(probability, x, weights, row, col, periodic, True)
             continue
         n, ne, nw = probability[0, row + 1], probability[1, row + 1], probability[7, row + 1]
         s, se, sw = probability[4, row - 1], probability[3, row - 1], probability[5, row - 1]
         e, w = probability[2, row], probability[6, row]
         up, at, down, out = x[row - 1], x[row], x[row + 1], y[row]
         for c in range(1, cols - 1):
-            sides = (n[c] * down[c] + s[c] * up[c]) + (e[c - 1] * at[c - 1] + w[c + 1] * at[c + 1])
-            corners = (ne[c - 1] * down[c - 1] + sw[c + 1] * up[c + 1]) + (
-                se[c - 1] * up[c - 1] + nw[c + 1] * down[c + 1]
+            sides = (f0 * n[c] * down[c] + f4 * s[c] * up[c]) + (
+                f2 * e[c - 1] * at[c - 1] + f6 * w[c + 1] * at[c + 1]
             )
-            out[c] = shift + scale * (sides + corners)
-        out[0] = shift + scale * _cell(probability, x, row, 0, periodic, True)
-        out[cols - 1] = shift + scale * _cell(probability, x, row, cols - 1, periodic, True)
+            rising = f1 * ne[c - 1] * down[c - 1] + f5 * sw[c + 1] * up[c + 1]
+            falling = f3 * se[c - 1] * up[c - 1] + f7 * nw[c + 1] * down[c + 1]
+            out[c] = shift + (sides + (rising + falling))
+        out[0] = shift + _cell(probability, x, weights, row, 0, periodic, True)
+        out[cols - 1] = shift + _cell(probability, x, weights, row, cols - 1, periodic, True)
 
 
 @kernel

@@ -8,14 +8,16 @@ import numpy as np
 from scipy.sparse.csgraph import dijkstra
 
 from firebreak_gis.kernels.blocks import block_bounds, factorise, grid_matrix
-from firebreak_gis.kernels.certificate import localised_bounds
+from firebreak_gis.kernels.certificate import localised_bounds, tilt
 from firebreak_gis.kernels.linear import Operator
+from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
 from firebreak_gis.progress import Progress, part, silent
 
 #: Largest grid, in cells, that is treated as one block.
 DIRECT_CELLS = 40_000
-#: Most power steps towards the eigenvector of a larger grid, and the relative change of an entry that ends them.
-_EIGENVECTOR_STEPS, _EIGENVECTOR_CHANGE = 2_000, 1e-7
+#: Most power steps towards the eigenvector of a larger grid, and the change, relative to the largest
+#: entry, that ends them.
+_EIGENVECTOR_STEPS, _EIGENVECTOR_CHANGE = 2_000, 1e-10
 
 
 @dataclass(frozen=True)
@@ -71,7 +73,8 @@ def spectral_radius(
     if planes[0].size <= direct_cells:
         block = block_bounds(grid_matrix(planes, boundary), min(1e-12, tolerance))
         return Bounds(block.lower, block.upper)
-    with Operator(planes, boundary=boundary, threads=threads) as operator:
+    weights = tilt(planes) if boundary == "open" else None
+    with Operator(planes, boundary=boundary, weights=weights, threads=threads) as operator:
         lower, upper, _ = localised_bounds(operator, tolerance, progress)
     return Bounds(lower, upper)
 
@@ -126,22 +129,26 @@ def perron_vector(
 def _power_vector(
     planes: np.ndarray, boundary: str, transpose: bool, threads: int | None, progress: Progress
 ) -> np.ndarray:
-    """Power steps on a large grid, from the vector that proves the eigenvalue's upper bound."""
-    with Operator(planes, boundary=boundary, transpose=transpose, threads=threads) as operator:
+    """Power steps on a large grid, from the vector that encloses the eigenvalue."""
+    if transpose:
+        # Edges that would wrap on an open map are 0.
+        planes = np.stack(
+            [np.roll(planes[OPPOSITE[d]], (-ROW_STEP[d], -COL_STEP[d]), axis=(0, 1)) for d in range(8)]
+        )
+    with Operator(planes, boundary=boundary, threads=threads) as operator:
         lower, upper, x = localised_bounds(operator, 1e-9, part(progress, 0.0, 0.3))
-        if upper == 0.0 or lower == 0.0:
+        if lower == 0.0:
             return np.zeros(operator.shape)
         x /= x.max()
         y = np.empty(operator.shape)
-        radius = 0.5 * (lower + upper)
         for step in range(_EIGENVECTOR_STEPS):
-            # Half a step: A / radius could oscillate.
-            operator.apply(x, y, scale=1.0 / radius)
+            # Not the whole step: A / lambda could oscillate.
+            operator.apply(x, y, scale=1.0 / upper)
             operator.combine(0.75, y, 0.25, x, y)
-            if step % 16 == 15:
-                change = operator.change(y, x)
-                progress(0.3 + 0.7 * step / _EIGENVECTOR_STEPS, f"eigenvector: change {change:.1e}")
-                if change < _EIGENVECTOR_CHANGE * 1e-3:
-                    return y / y.max()
             x, y = y, x
+            if step % 16 == 15:
+                change = operator.change(x, y) / float(x.max())
+                progress(0.3 + 0.7 * step / _EIGENVECTOR_STEPS, f"eigenvector: change {change:.1e}")
+                if change < _EIGENVECTOR_CHANGE + (upper / lower - 1.0):
+                    break
         return x / x.max()
