@@ -73,58 +73,57 @@ def _opposite(d: int) -> int:
 @kernel
 def _levels(
     near: np.ndarray, capacity: np.ndarray, through: np.ndarray, flow: np.ndarray, end: np.ndarray,
-    level: np.ndarray, queue: np.ndarray,
+    rim: np.ndarray, n_rim: int, level: np.ndarray, queue: np.ndarray,
 ) -> bool:
-    """Breadth-first levels of the residual graph from the source; whether the sink is reached.
+    """Steps from every node of the residual graph to the sink, by breadth-first search; whether the source has a way.
 
-    Node 2 v is the entry of cell v, 2 v + 1 its exit. `level` of an unreached node is -1.
+    Node 2 v is the entry of cell v, 2 v + 1 its exit. `level` of an unreached node is -1. `rim` holds the sink cells
+    that have a neighbour outside the sink. Only nodes no farther than the source are reached, if it has a way.
     """
     level[:] = -1
-    tail = 0
-    for v in range(near.shape[0]):
-        if end[v] == _SOURCE:
-            level[2 * v] = 0
-            level[2 * v + 1] = 0
-            queue[tail] = 2 * v
-            queue[tail + 1] = 2 * v + 1
-            tail += 2
+    for i in range(n_rim):
+        level[2 * rim[i]] = 0
+        level[2 * rim[i] + 1] = 0
+        queue[2 * i] = 2 * rim[i]
+        queue[2 * i + 1] = 2 * rim[i] + 1
+    tail = 2 * n_rim
     head = 0
     found = -1
     while head < tail:
         node = queue[head]
         head += 1
-        here = level[node]
-        if found >= 0 and here >= found:
+        here = level[node] + 1
+        if found >= 0 and here > found:
             break
         v = node >> 1
-        if node & 1:
-            if level[node - 1] < 0 and through[v] > 0:
-                level[node - 1] = here + 1
+        if end[v] == _SOURCE:
+            continue
+        if node & 1:  # an exit is fed by its entry if there is room, and by entries that can send flow back
+            if level[node - 1] < 0 and through[v] < capacity[v]:
+                level[node - 1] = here
                 queue[tail] = node - 1
                 tail += 1
-                if end[v] == _SINK:
-                    found = here + 1
             for d in range(8):
                 u = near[v, d]
-                if u >= 0 and level[2 * u] < 0:
-                    level[2 * u] = here + 1
+                if u >= 0 and flow[v, d] > 0 and level[2 * u] < 0 and end[u] != _SINK:
+                    level[2 * u] = here
                     queue[tail] = 2 * u
                     tail += 1
-                    if end[u] == _SINK:
-                        found = here + 1
-        else:
-            if level[node + 1] < 0 and through[v] < capacity[v]:
-                level[node + 1] = here + 1
+                    if end[u] == _SOURCE:
+                        found = here
+        else:  # an entry is fed by its exit if flow can go back, and by the exits of all neighbours
+            if level[node + 1] < 0 and through[v] > 0:
+                level[node + 1] = here
                 queue[tail] = node + 1
                 tail += 1
             for d in range(8):
                 u = near[v, d]
-                if u >= 0 and level[2 * u + 1] < 0 and flow[u, _opposite(d)] > 0:
-                    level[2 * u + 1] = here + 1
+                if u >= 0 and level[2 * u + 1] < 0 and end[u] != _SINK:
+                    level[2 * u + 1] = here
                     queue[tail] = 2 * u + 1
                     tail += 1
-                    if end[u] == _SINK:
-                        found = here + 1
+                    if end[u] == _SOURCE:
+                        found = here
     return found >= 0
 
 
@@ -137,7 +136,7 @@ def _blocking(
     pointer[:] = 0
     sent = np.int64(0)
     for origin in range(2 * near.shape[0]):
-        if end[origin >> 1] != _SOURCE:
+        if end[origin >> 1] != _SOURCE or level[origin] < 0:
             continue
         path[0] = origin
         length = 1
@@ -164,7 +163,7 @@ def _blocking(
                 target = _target(near, node, step)
                 if (
                     target >= 0
-                    and level[target] == level[node] + 1
+                    and level[target] == level[node] - 1
                     and _room(near, capacity, through, flow, node, step) > 0
                 ):
                     path[length] = target
@@ -212,17 +211,17 @@ def _push(near: np.ndarray, through: np.ndarray, flow: np.ndarray, node: int, st
 
 
 @kernel
-def _reached_from_sink(
+def _reached(
     near: np.ndarray, capacity: np.ndarray, through: np.ndarray, flow: np.ndarray, end: np.ndarray,
     reached: np.ndarray, queue: np.ndarray,
 ) -> None:
-    """Set `reached[node]` to 1 where the node can still send flow to the sink, to 0 elsewhere."""
-    reached[:] = 0
+    """Set `reached[node]` to 0 where the source can send more flow to, to -1 elsewhere."""
+    reached[:] = -1
     tail = 0
     for v in range(near.shape[0]):
-        if end[v] == _SINK:
-            reached[2 * v] = 1
-            reached[2 * v + 1] = 1
+        if end[v] == _SOURCE:
+            reached[2 * v] = 0
+            reached[2 * v + 1] = 0
             queue[tail] = 2 * v
             queue[tail + 1] = 2 * v + 1
             tail += 2
@@ -231,28 +230,42 @@ def _reached_from_sink(
         node = queue[head]
         head += 1
         v = node >> 1
-        if node & 1:  # into an exit: from its entry if there is room, from an entry that can send flow back
-            if reached[node - 1] == 0 and through[v] < capacity[v]:
-                reached[node - 1] = 1
+        if node & 1:
+            if reached[node - 1] < 0 and through[v] > 0:
+                reached[node - 1] = 0
                 queue[tail] = node - 1
                 tail += 1
             for d in range(8):
                 u = near[v, d]
-                if u >= 0 and reached[2 * u] == 0 and flow[v, d] > 0:
-                    reached[2 * u] = 1
+                if u >= 0 and reached[2 * u] < 0:
+                    reached[2 * u] = 0
                     queue[tail] = 2 * u
                     tail += 1
-        else:  # into an entry: from its exit if flow can go back, from the exits of all neighbours
-            if reached[node + 1] == 0 and through[v] > 0:
-                reached[node + 1] = 1
+        else:
+            if reached[node + 1] < 0 and through[v] < capacity[v]:
+                reached[node + 1] = 0
                 queue[tail] = node + 1
                 tail += 1
             for d in range(8):
                 u = near[v, d]
-                if u >= 0 and reached[2 * u + 1] == 0:
-                    reached[2 * u + 1] = 1
+                if u >= 0 and reached[2 * u + 1] < 0 and flow[u, _opposite(d)] > 0:
+                    reached[2 * u + 1] = 0
                     queue[tail] = 2 * u + 1
                     tail += 1
+
+
+@inlined
+def _rim(near: np.ndarray, end: np.ndarray, rim: np.ndarray) -> int:
+    """List the sink cells with a neighbour outside the sink; their number."""
+    n_rim = 0
+    for v in range(near.shape[0]):
+        if end[v] == _SINK:
+            for d in range(8):
+                if near[v, d] >= 0 and end[near[v, d]] != _SINK:
+                    rim[n_rim] = v
+                    n_rim += 1
+                    break
+    return n_rim
 
 
 @kernel
@@ -290,6 +303,7 @@ def best_cut(
     through = np.empty(n, np.int32)
     flow = np.empty((n, 8), np.int32)
     end = np.empty(n, np.uint8)
+    rim = np.empty(n, np.int32)
     level = np.empty(2 * n, np.int32)
     queue = np.empty(2 * n, np.int32)
     pointer = np.empty(2 * n, np.uint8)
@@ -310,7 +324,8 @@ def best_cut(
                 end[order[last]] = _SINK
                 behind += 0.5 * (ignition[order[last]] / total_ignition + value[order[last]] / total_value)
                 last -= 1
-            while _levels(near, capacity, through, flow, end, level, queue):
+            n_rim = _rim(near, end, rim)
+            while _levels(near, capacity, through, flow, end, rim, n_rim, level, queue):
                 sent += _blocking(near, capacity, through, flow, end, level, pointer, queue)
                 if sent >= UNCUTTABLE or (best > 0.0 and 0.5 <= best * sent):
                     break
@@ -318,13 +333,13 @@ def best_cut(
                 break
             for side in range(2):
                 if side == 1:
-                    _reached_from_sink(near, capacity, through, flow, end, level, queue)
+                    _reached(near, capacity, through, flow, end, level, queue)
                 own_ignition, own_value, cut_ignition, cut_value, cost = 0.0, 0.0, 0.0, 0.0, 0.0
                 for v in range(n):
-                    if side == 0:
+                    if side == 0:  # the sink has reached some exits
+                        inside, outside = level[2 * v] >= 0 or end[v] == _SINK, level[2 * v + 1] < 0
+                    else:  # the source has reached some entries
                         inside, outside = level[2 * v + 1] >= 0, level[2 * v] < 0
-                    else:
-                        inside, outside = level[2 * v] > 0, level[2 * v + 1] == 0
                     if inside:
                         own_ignition += ignition[v]
                         own_value += value[v]
@@ -340,9 +355,9 @@ def best_cut(
                     best_cost = cost
                     for v in range(n):
                         if side == 0:
-                            cut[v] = level[2 * v] >= 0 and level[2 * v + 1] < 0
+                            cut[v] = level[2 * v + 1] >= 0 and level[2 * v] < 0 and end[v] != _SINK
                         else:
-                            cut[v] = level[2 * v + 1] > 0 and level[2 * v] == 0
+                            cut[v] = level[2 * v] >= 0 and level[2 * v + 1] < 0
     return best, best_cost
 
 
