@@ -129,7 +129,7 @@ def describe(kind: str, name: str) -> dict[str, Any]:
     parameters = []
     for field in dataclasses.fields(module.Params):
         entry = {"name": field.name, "default": field.default, "type": _type_name(field)}
-        entry.update({k: v for k, v in field.metadata.items() if v not in (None, False)})
+        entry.update({k: v for k, v in field.metadata.items() if v is not None and v is not False})
         parameters.append(entry)
     return {"name": name, "kind": kind, "summary": doc.split("\n", 1)[0], "text": doc, "parameters": parameters}
 

@@ -11,6 +11,16 @@ from firebreak_gis.cli import options
 from firebreak_gis.cli.layers import input_files, read_layers, recorded
 from firebreak_gis.cli.session import Session
 
+#: What the command writes into its folder.
+OUTPUTS = {
+    "elevation.tif": "Elevation on the common grid",
+    "vegetation.tif": "Vegetation classes on the common grid",
+    "density.tif": "Density classes on the common grid",
+    "vegetation_effect.tif": "Effect of the vegetation, where the legend gives numbers in place of classes",
+    "density_effect.tif": "Effect of the density, where the legend gives numbers in place of classes",
+    "run.json": "Account of the run",
+}
+
 
 @click.command("align")
 @options.inputs

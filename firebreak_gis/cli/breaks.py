@@ -6,15 +6,15 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import options
+from firebreak_gis.cli import kinds, options
 from firebreak_gis.cli.session import Session
 
 
 @click.command("breaks")
-@click.argument("priority", type=click.Path(dir_okay=False))
+@click.argument("priority", type=kinds.RASTER)
 @options.output_file("Mask GeoTIFF")
 @options.budget
-@click.option("--polygons", type=click.Path(dir_okay=False), metavar="FILE",
+@click.option("--polygons", type=kinds.NEW_VECTOR, metavar="FILE",
               help="Also write the outlines (.gpkg, .geojson, .fgb, .parquet).")
 @options.common
 def command(session: Session, priority: str, output: str, polygons: str | None, **given: Any) -> None:

@@ -7,15 +7,16 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import options
+from firebreak_gis.cli import kinds, options
 from firebreak_gis.cli.session import Session
 
 
 @click.command("burn")
-@click.argument("network", type=click.Path(dir_okay=False))
+@click.argument("network", type=kinds.RASTER)
 @options.output_file("Burn frequency GeoTIFF")
-@click.option("--breaks", "mask", type=click.Path(dir_okay=False), help="Mask of cut cells (firebreak breaks).")
-@click.option("--sizes", type=click.Path(dir_okay=False), metavar="FILE", help="Also write the fire sizes as CSV.")
+@click.option("--breaks", "mask", type=kinds.RASTER, metavar="RASTER",
+              help="Mask of cut cells (firebreak breaks).")
+@click.option("--sizes", type=kinds.NEW_TABLE, metavar="FILE", help="Also write the fire sizes as CSV.")
 @options.fires
 @options.seed
 @options.common

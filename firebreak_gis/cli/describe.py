@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import importlib
+import inspect
 import json
 from typing import Any
 
 import click
 
-from firebreak_gis import __version__, methods
-from firebreak_gis.cli import options
+from firebreak_gis import __version__, legends, methods
+from firebreak_gis.cli import kinds, options
 from firebreak_gis.cli.session import Session
 
 
@@ -16,20 +18,27 @@ from firebreak_gis.cli.session import Session
 @options.common
 @click.pass_context
 def command(ctx: click.Context, session: Session) -> None:
-    """Describe every command, option, method and parameter as one JSON object."""
+    """Describe every command, option, method and parameter as one JSON object.
+
+    What is absent is false or empty: a parameter without "flags" is an argument, one without "required" may be
+    left out. "outputs" are the files that a command writes into its folder.
+    """
     group = ctx.find_root().command
-    assert isinstance(group, click.Group)  # noqa: S101 - the type of our own group
-    commands = {name: _command(group.get_command(ctx, name)) for name in group.list_commands(ctx)}
-    kinds = {kind: [methods.describe(kind, name) for name in methods.names(kind)] for kind in methods.KINDS}
-    document = {"software": "firebreak_gis", "version": __version__, "commands": commands, "methods": kinds}
-    session.finish(document, json.dumps(document, indent=2, ensure_ascii=False))
+    assert isinstance(group, click.Group)
+    commands = {name: _command(name, group.get_command(ctx, name)) for name in group.list_commands(ctx)}
+    found = {kind: [methods.describe(kind, name) for name in methods.names(kind)] for kind in methods.KINDS}
+    document = {"software": "firebreak_gis", "version": __version__, "commands": commands, "methods": found,
+                "legends": legends.names()}
+    session.finish(document, json.dumps(document, indent=1, ensure_ascii=False))
 
 
-def _command(found: click.Command | None) -> dict[str, Any]:
+def _command(name: str, found: click.Command | None) -> dict[str, Any]:
     if found is None:
         return {}
-    return {"summary": found.get_short_help_str(200), "help": found.help or "",
-            "parameters": [_parameter(p) for p in found.params]}
+    outputs = getattr(importlib.import_module(f"firebreak_gis.cli.{name}"), "OUTPUTS", {})
+    entry = {"summary": found.get_short_help_str(200), "help": inspect.cleandoc(found.help or ""),
+             "parameters": [_parameter(p) for p in found.params], "outputs": outputs}
+    return {key: value for key, value in entry.items() if value}
 
 
 def _parameter(param: click.Parameter) -> dict[str, Any]:
@@ -38,12 +47,14 @@ def _parameter(param: click.Parameter) -> dict[str, Any]:
         "name": param.name,
         "type": kind.name,
         "required": param.required,
-        "multiple": param.multiple or param.nargs != 1,
-        "default": param.default if isinstance(param.default, (str, int, float, bool)) else None,
-        "argument": isinstance(param, click.Argument),
+        "multiple": param.multiple,
+        "count": param.nargs if param.nargs != 1 else None,
+        "default": param.default if isinstance(param.default, (str, int, float)) else None,
     }
     if isinstance(kind, click.Choice):
         entry["choices"] = [str(c) for c in kind.choices]
+    elif isinstance(kind, kinds.Kind) and kind.choices:
+        entry["choices"] = list(kind.choices())
     if isinstance(param, click.Option):
-        entry |= {"flags": list(param.opts), "help": param.help or "", "is_flag": param.is_flag}
-    return entry
+        entry |= {"flags": list(param.opts), "help": param.help or ""}
+    return {key: value for key, value in entry.items() if value is not None and value is not False}

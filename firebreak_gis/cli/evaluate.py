@@ -7,17 +7,27 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import options
+from firebreak_gis.cli import kinds, options
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
 
+#: What the command writes into its folder.
+OUTPUTS = {
+    "evaluation.csv": "Burnt share and significance of every ranking at every budget",
+    "evaluation.png": "Curves of the burnt share",
+    "evaluation.svg": "Curves of the burnt share, to scale",
+    "run.json": "Account of the run",
+}
+
 
 @click.command("evaluate")
-@click.argument("network", type=click.Path(dir_okay=False))
+@click.argument("network", type=kinds.RASTER)
 @options.output_folder
-@click.option("--methods", "method_list", default="bonacich,random", show_default=True, metavar="LIST",
+@click.option("--methods", "method_list", type=kinds.RANKINGS, default="bonacich,random", show_default=True,
+              metavar="LIST",
               help="Rankings, separated by commas, parameters by colons: bonacich:beta=0.2,betweenness,random.")
-@click.option("--baseline", default="random", show_default=True, help="Ranking that the others are tested against.")
+@click.option("--baseline", type=kinds.RANKING, metavar="NAME", default="random", show_default=True,
+              help="Ranking that the others are tested against.")
 @click.option("--budgets", metavar="LIST", help="Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01].")
 @click.option("--test", type=click.Choice(["wilcoxon", "ranksum", "t"]), default="wilcoxon", show_default=True,
               help="Paired Wilcoxon signed-rank, Wilcoxon rank-sum for independent runs, or paired t.")

@@ -16,7 +16,7 @@ import firebreak_gis
 from firebreak_gis.errors import Cancelled, FirebreakError, ResourceError
 
 #: Modules of this package that are not commands.
-_SUPPORT = {"group", "layers", "options", "session"}
+_SUPPORT = {"group", "kinds", "layers", "options", "session"}
 
 EXIT_BUG, EXIT_USAGE = 1, 2
 

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 import click
 
 from firebreak_gis import methods
+from firebreak_gis.cli import kinds
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.manifest import read_config
@@ -66,7 +67,8 @@ def output_file(what: str) -> Callable[[F], F]:
 
     def decorate(command: F) -> F:
         return overwrite(
-            click.option("-o", "--output", type=click.Path(dir_okay=False), required=True, help=f"{what} to write.")(command)
+            click.option("-o", "--output", type=kinds.NEW_RASTER, metavar="FILE", required=True,
+                         help=f"{what} to write.")(command)
         )
 
     return decorate
@@ -81,24 +83,24 @@ def overwrite(command: F) -> F:
 
 def inputs(command: F) -> F:
     """DEM VEGETATION [DENSITY]."""
-    command = click.argument("density", required=False)(command)
-    command = click.argument("vegetation")(command)
-    return click.argument("dem")(command)
+    command = click.argument("density", type=kinds.RASTER_OR_DENSITY, required=False)(command)
+    command = click.argument("vegetation", type=kinds.RASTER)(command)
+    return click.argument("dem", type=kinds.RASTER)(command)
 
 
 def landscape(command: F) -> F:
     """How the layers are read and laid on one grid."""
     options = [
-        click.option("--legend", default="paper", show_default=True,
+        click.option("--legend", type=kinds.LEGEND, metavar="LEGEND", default="paper", show_default=True,
                      help="What the vegetation codes mean: a built-in name (firebreak legends) or a CSV file."),
-        click.option("--density-legend", default="density", show_default=True,
+        click.option("--density-legend", type=kinds.LEGEND, metavar="LEGEND", default="density", show_default=True,
                      help="What the density codes mean: a built-in name or a CSV file."),
-        click.option("--dst-crs", "crs", metavar="CRS", help="CRS of the grid, projected in metres "
+        click.option("--dst-crs", "crs", type=kinds.CRS, metavar="CRS", help="CRS of the grid, projected in metres "
                      "[default: the DEM's if it is in metres, else the UTM zone]."),
         click.option("--res", "resolution", type=float, metavar="METRES", help="Cell size [default: the DEM's]."),
         click.option("--bounds", type=float, nargs=4, metavar="LEFT BOTTOM RIGHT TOP",
                      help="Extent in the CRS of the grid [default: what all layers cover]."),
-        click.option("--like", type=click.Path(), help="Take the grid of this raster."),
+        click.option("--like", type=kinds.RASTER, metavar="RASTER", help="Take the grid of this raster."),
         click.option("--src-nodata", multiple=True, metavar="LAYER=VALUE",
                      help="Value that means no data in dem, vegetation or density; may be repeated."),
         click.option("--bidx", multiple=True, metavar="LAYER=BAND", help="Band to read of dem, vegetation or density."),
@@ -114,10 +116,11 @@ def landscape(command: F) -> F:
 def spread(command: F) -> F:
     """The spread model and the wind."""
     options = [
-        click.option("--model", default="alexandridis", show_default=True, help="Spread model (firebreak methods)."),
-        click.option("--wind-speed", metavar="M/S", default="0", show_default=True,
+        click.option("--model", type=kinds.SPREAD, metavar="NAME", default="alexandridis", show_default=True,
+                     help="Spread model (firebreak methods)."),
+        click.option("--wind-speed", type=kinds.RASTER_OR_NUMBER, metavar="M/S", default="0", show_default=True,
                      help="Wind speed, a number or a raster on the grid [m/s]."),
-        click.option("--wind-from", metavar="DEGREES", default="0", show_default=True,
+        click.option("--wind-from", type=kinds.RASTER_OR_NUMBER, metavar="DEGREES", default="0", show_default=True,
                      help="Direction the wind comes from, clockwise from north: 270 is a west wind; a number or a raster."),
         click.option("--model-param", "model_params", multiple=True, metavar="NAME=VALUE",
                      help="Parameter of the spread model, e.g. p0=0.5; may be repeated."),
@@ -128,7 +131,8 @@ def spread(command: F) -> F:
 def ranking(command: F) -> F:
     """--method and -p."""
     options = [
-        click.option("--method", default="bonacich", show_default=True, help="Ranking (firebreak methods)."),
+        click.option("--method", type=kinds.RANKING, metavar="NAME", default="bonacich", show_default=True,
+                     help="Ranking (firebreak methods)."),
         click.option("-p", "--param", "method_params", multiple=True, metavar="NAME=VALUE",
                      help="Parameter of the ranking, e.g. beta=0.5; may be repeated."),
     ]
@@ -139,7 +143,8 @@ def fires(command: F) -> F:
     """--runs, --ignitions, --ignition-mode."""
     options = [
         click.option("--runs", "n_runs", type=int, default=100, show_default=True, help="Number of simulated fires."),
-        click.option("--ignitions", metavar="PATH", help="Points (any vector file) or a raster of ignition probability "
+        click.option("--ignitions", type=kinds.VECTOR_OR_RASTER, metavar="PATH",
+                     help="Points (any vector file) or a raster of ignition probability "
                      "[default: one random cell with fuel a run]."),
         click.option("--ignition-mode", type=click.Choice(["each", "all"]), default="each", show_default=True,
                      help="With points: runs take them in turn, or every run starts at all of them."),

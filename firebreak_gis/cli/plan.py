@@ -10,6 +10,22 @@ from firebreak_gis.cli import options
 from firebreak_gis.cli.layers import input_files, read_layers, recorded
 from firebreak_gis.cli.session import Session
 
+#: What the command writes into its folder.
+OUTPUTS = {
+    "breaks.tif": "Fire breaks",
+    "breaks.gpkg": "Fire breaks as polygons",
+    "priority.tif": "Cutting priority",
+    "burn_frequency.tif": "Burn frequency without breaks",
+    "burn_frequency_with_breaks.tif": "Burn frequency with the breaks",
+    "elevation.tif": "Elevation on the common grid",
+    "vegetation.tif": "Vegetation classes on the common grid",
+    "density.tif": "Density classes on the common grid",
+    "fire_sizes.csv": "Size of every fire without and with the breaks",
+    "evaluation.csv": "Burnt share at every budget",
+    "overview.png": "Picture of the plan",
+    "run.json": "Account of the run",
+}
+
 
 @click.command("plan")
 @options.inputs

@@ -6,12 +6,12 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import options
+from firebreak_gis.cli import kinds, options
 from firebreak_gis.cli.session import Session
 
 
 @click.command("rank")
-@click.argument("network", type=click.Path(dir_okay=False))
+@click.argument("network", type=kinds.RASTER)
 @options.output_file("Priority GeoTIFF")
 @options.ranking
 @options.seed
