@@ -11,7 +11,7 @@ from firebreak_gis import legends, methods
 from firebreak_gis.schema import DENSITY
 
 
-class Kind(click.ParamType):  # type: ignore[type-arg,unused-ignore] - generic in newer releases only
+class Kind(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in newer releases
     """A value passed on as text.
 
     Parameters
