@@ -1,7 +1,8 @@
 """Plan wildfire fire breaks: rasters in, a spread network, ranked cells, breaks and burn maps out.
 
-Data goes one way: files -> landscape -> spread network -> priority -> breaks -> burns -> evaluation -> report.
-Each arrow is one function of this package; names are loaded on first use, so importing it costs nothing.
+Data goes one way: files -> landscape -> spread network -> priority -> breaks -> burns -> evaluation ->
+report. Each arrow is one function of this package; names are loaded on first use, so importing it costs
+nothing.
 """
 
 from __future__ import annotations

@@ -56,7 +56,9 @@ def cells_to_cut(budget: float, n_burnable: int) -> int:
         If `budget` is not a share from 0 to 1.
     """
     if not (isinstance(budget, (int, float, np.number)) and 0.0 <= budget <= 1.0):
-        raise ParameterError(f"budget is {budget}, expected a share of the cells that hold fuel, from 0 to 1 (14 % is 0.14)")
+        raise ParameterError(
+            f"budget is {budget}, expected a share of the cells that hold fuel, from 0 to 1 (14 % is 0.14)"
+        )
     return math.floor(float(budget) * n_burnable + 0.5)
 
 
@@ -70,8 +72,8 @@ def select_breaks(
     priority
         (y, x), higher is cut earlier, -inf or NaN is never cut.
     budget
-        d_f: share of the cells that hold fuel, from 0 to 1. Exactly round(d_f N_v) cells are cut; ties are cut
-        by row, then column.
+        d_f: share of the cells that hold fuel, from 0 to 1. Exactly round(d_f N_v) cells are cut; ties are
+        cut by row, then column.
     burnable
         (y, x) cells that hold fuel, which make N_v. Default: the cells that can be cut.
 
@@ -91,8 +93,8 @@ def select_breaks(
     count = cells_to_cut(budget, n_burnable)
     if count > n_candidates:
         raise ParameterError(
-            f"a budget of {budget:g} is {count} cells, but only {n_candidates} cells can be cut; lower the budget to "
-            f"{n_candidates / max(n_burnable, 1):.4g} or protect less"
+            f"a budget of {budget:g} is {count} cells, but only {n_candidates} cells can be cut; "
+            f"lower the budget to {n_candidates / max(n_burnable, 1):.4g} or protect less"
         )
     grid = Grid.of(priority) if hasattr(priority, "dims") else Grid((position.shape[0], position.shape[1]))
     mask = ((position >= 0) & (position < count)).astype(np.uint8)
@@ -114,8 +116,8 @@ def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -
     Returns
     -------
     geopandas.GeoDataFrame
-        Columns `order` (1 = highest mean priority), `cells`, `area_ha`, `mean_priority`, `geometry` (valid polygons
-        or multipolygons), sorted by `order`.
+        Columns `order` (1 = highest mean priority), `cells`, `area_ha`, `mean_priority`, `geometry` (valid
+        polygons or multipolygons), sorted by `order`.
     """
     import geopandas as gpd
     from rasterio.features import shapes
@@ -125,16 +127,20 @@ def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -
 
     grid = Grid.of(breaks)
     cut = np.asarray(breaks) > 0
-    # Traced over sides only, since a polygon that touches itself at a corner is invalid; then joined per piece.
+    # Traced over sides only, since a polygon that touches itself at a corner is invalid; then joined.
     labels, n_pieces = ndimage.label(cut, structure=np.ones((3, 3)))
     parts: dict[int, list[Any]] = {i: [] for i in range(1, n_pieces + 1)}
-    for geometry, label in shapes(labels.astype(np.int32), mask=cut, connectivity=4, transform=grid.transform):
+    for geometry, label in shapes(
+        labels.astype(np.int32), mask=cut, connectivity=4, transform=grid.transform
+    ):
         parts[int(label)].append(shape(geometry))
     cells = np.bincount(labels.ravel(), minlength=n_pieces + 1)[1:]
     scores = np.zeros(n_pieces)
     if priority is not None:
         grid.require(Grid.of(priority), "priority")
-        total = np.bincount(labels[cut], weights=np.asarray(priority, dtype=np.float64)[cut], minlength=n_pieces + 1)[1:]
+        total = np.bincount(
+            labels[cut], weights=np.asarray(priority, dtype=np.float64)[cut], minlength=n_pieces + 1
+        )[1:]
         scores = total / np.maximum(cells, 1)
     sequence = np.argsort(-scores, kind="stable")
     return gpd.GeoDataFrame(

@@ -62,8 +62,15 @@ def evaluate(
     for i, (name, priority) in enumerate(priorities.items()):
         step = part(progress, i / len(priorities), (i + 1) / len(priorities), f"{name}: ")
         burnt = burn_curve(
-            network, priority, budgets=budgets, ignitions=ignitions, ignition_mode=ignition_mode, n_runs=n_runs,
-            seed=seed, threads=threads, progress=step,
+            network,
+            priority,
+            budgets=budgets,
+            ignitions=ignitions,
+            ignition_mode=ignition_mode,
+            n_runs=n_runs,
+            seed=seed,
+            threads=threads,
+            progress=step,
         )
         shares[name] = burnt.to_numpy() / max(network.n_burnable, 1)
     result = summarise(shares, budgets=budgets, baseline=baseline, test=test, alpha=alpha)
@@ -94,8 +101,8 @@ def summarise(
     Returns
     -------
     xarray.Dataset
-        `burnt_share` (ranking, run, budget); `mean`, `p90` (90 % percentile), `max`, `p_value`, `effect_size` and
-        `significant` (ranking, budget). The p-value of the baseline itself is nan.
+        `burnt_share` (ranking, run, budget); `mean`, `p90` (90 % percentile), `max`, `p_value`, `effect_size`
+        and `significant` (ranking, budget). The p-value of the baseline itself is nan.
 
     Raises
     ------
@@ -138,8 +145,8 @@ def compare(burnt: np.ndarray, baseline: np.ndarray, *, test: Test = "wilcoxon")
     burnt, baseline
         (n_runs,) burnt shares.
     test
-        `"wilcoxon"`: signed-rank on runs that share their draws, zeros by Pratt's method; equal samples are no
-        difference (p = 1). `"ranksum"`: for independent runs. `"t"`: paired t-test.
+        `"wilcoxon"`: signed-rank on runs that share their draws, zeros by Pratt's method; equal samples are
+        no difference (p = 1). `"ranksum"`: for independent runs. `"t"`: paired t-test.
 
     Returns
     -------
@@ -166,7 +173,7 @@ def compare(burnt: np.ndarray, baseline: np.ndarray, *, test: Test = "wilcoxon")
 
 
 def table(result: xr.Dataset) -> pd.DataFrame:
-    """One row a method and budget: method, d_f, cells_cut, mean, p90, max, p_value, effect_size, significant."""
+    """One row a method and budget: method, d_f, cells_cut, mean, p90, max, p_value, effect_size, ..."""
     import pandas as pd
 
     from firebreak_gis.breaks import cells_to_cut
@@ -177,7 +184,10 @@ def table(result: xr.Dataset) -> pd.DataFrame:
             "method": name,
             "d_f": float(budget),
             "cells_cut": cells_to_cut(float(budget), n_burnable),
-            **{key: result[key].to_numpy()[i, k] for key in ("mean", "p90", "max", "p_value", "effect_size", "significant")},
+            **{
+                key: result[key].to_numpy()[i, k]
+                for key in ("mean", "p90", "max", "p_value", "effect_size", "significant")
+            },
         }
         for i, name in enumerate(result["ranking"].to_numpy().tolist())
         for k, budget in enumerate(result["budget"].to_numpy())

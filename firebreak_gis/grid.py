@@ -137,7 +137,9 @@ class Grid:
         from firebreak_gis.lattice import DIRECTIONS
 
         if values.shape[-2:] != self.shape:
-            raise GridError(f"{name} has shape {values.shape}, expected (..., {self.shape[0]}, {self.shape[1]})")
+            raise GridError(
+                f"{name} has shape {values.shape}, expected (..., {self.shape[0]}, {self.shape[1]})"
+            )
         dims: tuple[str, ...] = ("y", "x")
         coords: dict[str, Any] = dict(self.coords())
         if values.ndim == 3:
@@ -152,10 +154,24 @@ class Grid:
         geographic = self.crs is not None and self.crs.is_geographic
         units = "degrees" if geographic else "m"
         coords: dict[str, Any] = {
-            "y": ("y", self.y, {"standard_name": "latitude" if geographic else "projection_y_coordinate",
-                                "units": f"{units}_north" if geographic else units, "axis": "Y"}),
-            "x": ("x", self.x, {"standard_name": "longitude" if geographic else "projection_x_coordinate",
-                                "units": f"{units}_east" if geographic else units, "axis": "X"}),
+            "y": (
+                "y",
+                self.y,
+                {
+                    "standard_name": "latitude" if geographic else "projection_y_coordinate",
+                    "units": f"{units}_north" if geographic else units,
+                    "axis": "Y",
+                },
+            ),
+            "x": (
+                "x",
+                self.x,
+                {
+                    "standard_name": "longitude" if geographic else "projection_x_coordinate",
+                    "units": f"{units}_east" if geographic else units,
+                    "axis": "X",
+                },
+            ),
         }
         if self.crs is not None:
             attrs = self.crs.to_cf()
@@ -191,14 +207,20 @@ class Grid:
 
 def _transform_from_centres(x: np.ndarray, y: np.ndarray, data: xr.DataArray | xr.Dataset) -> Affine:
     if "spatial_ref" in data.coords and "GeoTransform" in data.coords["spatial_ref"].attrs:
-        stored = Affine.from_gdal(*(float(v) for v in data.coords["spatial_ref"].attrs["GeoTransform"].split()))
+        stored = Affine.from_gdal(
+            *(float(v) for v in data.coords["spatial_ref"].attrs["GeoTransform"].split())
+        )
         # A selection or a coarsening leaves the stored transform behind; then the coordinates count.
         centre_x = stored.c + stored.a * 0.5
         centre_y = stored.f + stored.e * 0.5
         steps_agree = (x.size < 2 or np.isclose(x[1] - x[0], stored.a)) and (
             y.size < 2 or np.isclose(y[1] - y[0], stored.e)
         )
-        if steps_agree and abs(x[0] - centre_x) < 1e-6 * abs(stored.a) and abs(y[0] - centre_y) < 1e-6 * abs(stored.e):
+        if (
+            steps_agree
+            and abs(x[0] - centre_x) < 1e-6 * abs(stored.a)
+            and abs(y[0] - centre_y) < 1e-6 * abs(stored.e)
+        ):
             return stored
     step_x = (x[-1] - x[0]) / (x.size - 1) if x.size > 1 else None
     step_y = (y[-1] - y[0]) / (y.size - 1) if y.size > 1 else None
@@ -208,8 +230,10 @@ def _transform_from_centres(x: np.ndarray, y: np.ndarray, data: xr.DataArray | x
         if values.size > 1 and not np.allclose(np.diff(values), step, rtol=1e-3):
             raise GridError(f"the {name} coordinates are not evenly spaced; resample to a regular grid first")
     if step_x < 0 or step_y > 0:
-        raise GridError("expected a north-up grid (x rising, y falling); sort the coordinates, e.g. "
-                        "data.sortby('y', ascending=False).sortby('x')")
+        raise GridError(
+            "expected a north-up grid (x rising, y falling); sort the coordinates, e.g. "
+            "data.sortby('y', ascending=False).sortby('x')"
+        )
     return Affine(step_x, 0.0, x[0] - step_x / 2, 0.0, step_y, y[0] - step_y / 2)
 
 
@@ -227,7 +251,9 @@ def parse_crs(value: Any) -> CRS:
     try:
         return CRS.from_user_input(value)
     except ProjError as error:
-        raise CRSError(f"cannot read the coordinate reference system {str(value)[:80]!r}; give for example EPSG:32635") from error
+        raise CRSError(
+            f"cannot read the coordinate reference system {str(value)[:80]!r}; give for example EPSG:32635"
+        ) from error
 
 
 def crs_name(crs: CRS) -> str:

@@ -19,8 +19,11 @@ SOFTWARE = "firebreak_gis"
 def provenance(parameters: Mapping[str, Any], *, seed: int | None = None) -> dict[str, str]:
     """Tags that tell which program and parameters made a file; the same for equal runs."""
     text = json.dumps(plain(parameters), sort_keys=True)
-    tags = {"software": SOFTWARE, "version": __version__,
-            "parameters_sha256": hashlib.sha256(text.encode()).hexdigest()[:16]}
+    tags = {
+        "software": SOFTWARE,
+        "version": __version__,
+        "parameters_sha256": hashlib.sha256(text.encode()).hexdigest()[:16],
+    }
     if seed is not None:
         tags["seed"] = str(seed)
     return tags
@@ -61,7 +64,9 @@ def write_manifest(
         "parameters": plain(parameters),
         "inputs": [{"path": str(p), "sha256": sha256(p)} for p in inputs],
         **plain(account),
-        "outputs": [{"path": Path(os.path.relpath(p, target.parent)).as_posix(), "sha256": sha256(p)} for p in outputs],
+        "outputs": [
+            {"path": Path(os.path.relpath(p, target.parent)).as_posix(), "sha256": sha256(p)} for p in outputs
+        ],
     }
     write_text(target, json.dumps(document, indent=2, ensure_ascii=False) + "\n", overwrite=overwrite)
     return target

@@ -63,8 +63,16 @@ def parameter(
     path
         Whether the value names a file.
     """
-    metadata = {"text": text, "units": units, "minimum": minimum, "maximum": maximum,
-                "open_maximum": open_maximum, "choices": choices, "raster": raster, "path": path}
+    metadata = {
+        "text": text,
+        "units": units,
+        "minimum": minimum,
+        "maximum": maximum,
+        "open_maximum": open_maximum,
+        "choices": choices,
+        "raster": raster,
+        "path": path,
+    }
     return dataclasses.field(default=default, metadata=metadata)
 
 
@@ -91,8 +99,12 @@ def load(kind: str, name: str) -> ModuleType:
     else:
         module = importlib.import_module(f"{KINDS[kind][0]}.{name}")
     function = KINDS[kind][1]
-    if not callable(getattr(module, function, None)) or not dataclasses.is_dataclass(getattr(module, "Params", None)):
-        raise ParameterError(f"the {kind} method {name!r} lacks a function {function}() or a dataclass Params")
+    if not callable(getattr(module, function, None)) or not dataclasses.is_dataclass(
+        getattr(module, "Params", None)
+    ):
+        raise ParameterError(
+            f"the {kind} method {name!r} lacks a function {function}() or a dataclass Params"
+        )
     return typing.cast(ModuleType, module)
 
 
@@ -108,7 +120,9 @@ def build_params(module: ModuleType, values: Mapping[str, Any]) -> Any:
     fields = {f.name: f for f in dataclasses.fields(module.Params)}
     kinds = typing.get_type_hints(module.Params)
     problems = [
-        f"{name} has no parameter {key!r} (it has: {', '.join(fields) or 'none'})" for key in values if key not in fields
+        f"{name} has no parameter {key!r} (it has: {', '.join(fields) or 'none'})"
+        for key in values
+        if key not in fields
     ]
     converted = {}
     for key, value in values.items():
@@ -131,7 +145,13 @@ def describe(kind: str, name: str) -> dict[str, Any]:
         entry = {"name": field.name, "default": field.default, "type": _type_name(field)}
         entry.update({k: v for k, v in field.metadata.items() if v is not None and v is not False})
         parameters.append(entry)
-    return {"name": name, "kind": kind, "summary": doc.split("\n", 1)[0], "text": doc, "parameters": parameters}
+    return {
+        "name": name,
+        "kind": kind,
+        "summary": doc.split("\n", 1)[0],
+        "text": doc,
+        "parameters": parameters,
+    }
 
 
 def _entry_points(kind: str) -> dict[str, importlib.metadata.EntryPoint]:
@@ -181,5 +201,7 @@ def _to_number(value: Any, *, whole: bool, metadata: Mapping[str, Any]) -> float
     if low is not None and number < low:
         raise ValueError(f"got {number:g}, expected at least {low:g}")
     if high is not None and (number > high or (metadata["open_maximum"] and number == high)):
-        raise ValueError(f"got {number:g}, expected {'less than' if metadata['open_maximum'] else 'at most'} {high:g}")
+        raise ValueError(
+            f"got {number:g}, expected {'less than' if metadata['open_maximum'] else 'at most'} {high:g}"
+        )
     return int(number) if whole else number

@@ -28,9 +28,9 @@ class SpreadNetwork:
     Parameters
     ----------
     probability
-        (8, rows, cols), numbers in [0, 1] or a DataArray of these dims. `probability[d, row, col]` points FROM the
-        cell TO its neighbour in direction d (N NE E SE S SW W NW). Copied to float32. Edges that leave an open
-        grid, or that touch a cell without fuel, are set to 0.
+        (8, rows, cols), numbers in [0, 1] or a DataArray of these dims. `probability[d, row, col]` points
+        FROM the cell TO its neighbour in direction d (N NE E SE S SW W NW). Copied to float32. Edges that
+        leave an open grid, or that touch a cell without fuel, are set to 0.
     burnable
         (rows, cols) bool: which cells hold fuel. Default: those with any edge in or out.
     boundary
@@ -70,8 +70,8 @@ class SpreadNetwork:
             raise ParameterError(f"boundary is {boundary!r}, expected 'open' or 'periodic'")
         if not (values.min() >= 0.0 and values.max() <= 1.0):  # also catches NaN
             raise InputError(
-                f"probabilities lie in [{values.min()}, {values.max()}], expected numbers from 0 to 1 without NaN; "
-                "use 0 where there is no fuel"
+                f"probabilities lie in [{values.min()}, {values.max()}], expected numbers from 0 to 1 "
+                "without NaN; use 0 where there is no fuel"
             )
         shape = (values.shape[1], values.shape[2])
         if boundary == "periodic" and min(shape) < 3:
@@ -89,8 +89,13 @@ class SpreadNetwork:
                 values[d] *= neighbour(fuel, d, boundary)
         values.flags.writeable = False
         fuel.flags.writeable = False
-        for name, value in (("probability", values), ("burnable", fuel), ("boundary", boundary), ("grid", grid),
-                            ("provenance", dict(provenance or {}))):
+        for name, value in (
+            ("probability", values),
+            ("burnable", fuel),
+            ("boundary", boundary),
+            ("grid", grid),
+            ("provenance", dict(provenance or {})),
+        ):
             object.__setattr__(self, name, value)
 
     @property
@@ -127,8 +132,14 @@ class SpreadNetwork:
             values[d][neighbour(cut, d, self.boundary)] *= np.float32(residual)
         if residual == 0.0:
             values[:, cut] = 0.0
-        return SpreadNetwork(values, burnable=self.burnable, boundary=self.boundary, crs=self.grid.crs,
-                             transform=self.grid.transform, provenance=self.provenance)
+        return SpreadNetwork(
+            values,
+            burnable=self.burnable,
+            boundary=self.boundary,
+            crs=self.grid.crs,
+            transform=self.grid.transform,
+            provenance=self.provenance,
+        )
 
     def mask(self, data: np.ndarray | xr.DataArray, what: str) -> np.ndarray:
         """Return `data` as a (rows, cols) bool array after checking that it lies on this grid.
@@ -150,7 +161,7 @@ class SpreadNetwork:
         return values
 
     def to_csr(self) -> scipy.sparse.csr_array:
-        """Adjacency matrix a_lk = p(l -> k), row-major cell numbers, float64; edges with p = 0 are left out."""
+        """Adjacency matrix a_lk = p(l -> k), row-major cell numbers, float64, without edges of p = 0."""
         import scipy.sparse
 
         source, target, d = self._edges()
@@ -159,7 +170,9 @@ class SpreadNetwork:
         return scipy.sparse.csr_array((weights, (source, target)), shape=(n_cells, n_cells))
 
     def to_networkx(self) -> nx.DiGraph:
-        """Return a networkx graph of the burnable cells, nodes (row, col), edges with `probability` and `length` = 1/p.
+        """Return a networkx graph of the burnable cells.
+
+        Nodes are (row, col); edges have `probability` and `length` = 1/p.
 
         Raises
         ------

@@ -74,7 +74,10 @@ class Plan:
         import pandas as pd
 
         area = self.network.grid.cell_area_ha
-        sizes = {"without_breaks": self.before["fire_size"].to_numpy(), "with_breaks": self.after["fire_size"].to_numpy()}
+        sizes = {
+            "without_breaks": self.before["fire_size"].to_numpy(),
+            "with_breaks": self.after["fire_size"].to_numpy(),
+        }
         columns: dict[str, np.ndarray] = {"run": np.arange(self.before.sizes["run"])}
         for name, cells in sizes.items():
             columns[f"cells_{name}"] = cells
@@ -97,7 +100,9 @@ class Plan:
             "burnt_share_with_breaks": float(after.mean() / n_burnable),
             "burnt_share_with_breaks_p90": float(chosen["p90"]),
             "burnt_share_with_breaks_max": float(chosen["max"]),
-            "p_value_against_random": None if self.parameters["method"] == "random" else float(chosen["p_value"]),
+            "p_value_against_random": None
+            if self.parameters["method"] == "random"
+            else float(chosen["p_value"]),
         }
 
 
@@ -137,18 +142,44 @@ def plan(
         Everything, from the network to the evaluation.
     """
     network = spread_network(landscape, model=model, **(model_params or {}))
-    priority = rank(network, method, seed=seed, progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
-                    **(method_params or {}))
+    priority = rank(
+        network,
+        method,
+        seed=seed,
+        progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
+        **(method_params or {}),
+    )
     breaks = select_breaks(priority, budget=budget, burnable=network.burnable)
-    fires: dict[str, Any] = {"ignitions": ignitions, "ignition_mode": ignition_mode, "n_runs": n_runs, "seed": seed,
-                             "threads": threads}
+    fires: dict[str, Any] = {
+        "ignitions": ignitions,
+        "ignition_mode": ignition_mode,
+        "n_runs": n_runs,
+        "seed": seed,
+        "threads": threads,
+    }
     before = simulate(network, progress=part(progress, 0.35, 0.5, "without breaks: "), **fires)
     after = simulate(network, breaks=breaks, progress=part(progress, 0.5, 0.6, "with breaks: "), **fires)
-    priorities = {method: priority, **{name: rank(network, name, seed=seed) for name in BASELINES if name != method}}
-    evaluation = evaluate(network, priorities, budgets=default_budgets(budget), baseline="random",
-                          progress=part(progress, 0.6, 1.0, "evaluate "), **fires)
-    parameters = {"budget": budget, "method": method, "method_params": dict(method_params or {}), "model": model,
-                  "model_params": dict(model_params or {}), "n_runs": n_runs, "seed": seed}
+    priorities = {
+        method: priority,
+        **{name: rank(network, name, seed=seed) for name in BASELINES if name != method},
+    }
+    evaluation = evaluate(
+        network,
+        priorities,
+        budgets=default_budgets(budget),
+        baseline="random",
+        progress=part(progress, 0.6, 1.0, "evaluate "),
+        **fires,
+    )
+    parameters = {
+        "budget": budget,
+        "method": method,
+        "method_params": dict(method_params or {}),
+        "model": model,
+        "model_params": dict(model_params or {}),
+        "n_runs": n_runs,
+        "seed": seed,
+    }
     return Plan(landscape, network, priority, breaks, before, after, evaluation, parameters)
 
 
@@ -160,8 +191,18 @@ def default_budgets(*marked: float, n_levels: int = 41) -> np.ndarray:
 
 #: What a plan is written as.
 PLAN_FILES = (
-    "elevation.tif", "vegetation.tif", "density.tif", "priority.tif", "breaks.tif", "burn_frequency.tif",
-    "burn_frequency_with_breaks.tif", "breaks.gpkg", "fire_sizes.csv", "evaluation.csv", "overview.png", "run.json",
+    "elevation.tif",
+    "vegetation.tif",
+    "density.tif",
+    "priority.tif",
+    "breaks.tif",
+    "burn_frequency.tif",
+    "burn_frequency_with_breaks.tif",
+    "breaks.gpkg",
+    "fire_sizes.csv",
+    "evaluation.csv",
+    "overview.png",
+    "run.json",
 )
 
 
@@ -202,7 +243,8 @@ def write_plan(
     Raises
     ------
     OutputError
-        If a file exists and `overwrite` is not set, or cannot be written; checked for all before the first is written.
+        If a file exists and `overwrite` is not set, or cannot be written; checked for all before the first is
+        written.
     """
     from firebreak_gis.report.figures import save
     from firebreak_gis.report.overview import overview_figure
@@ -222,7 +264,9 @@ def write_plan(
     written = write_landscape(result.landscape, target, overwrite=overwrite, provenance=tags)
     for i, (name, data) in enumerate(rasters.items()):
         report(0.2 + 0.1 * i, name)
-        write_raster(target / name, data, overwrite=overwrite, provenance=tags, creation_options=creation_options)
+        write_raster(
+            target / name, data, overwrite=overwrite, provenance=tags, creation_options=creation_options
+        )
         written.append(target / name)
     report(0.6, "breaks.gpkg")
     write_vector(target / "breaks.gpkg", result.polygons, layer="breaks", overwrite=overwrite)
@@ -230,7 +274,12 @@ def write_plan(
         write_text(target / name, frame.to_csv(index=False, lineterminator="\n"), overwrite=overwrite)
     report(0.7, "overview.png")
     figure = overview_figure(
-        result.landscape, result.breaks, result.before, result.after, result.evaluation, title=_headline(result),
+        result.landscape,
+        result.breaks,
+        result.before,
+        result.after,
+        result.evaluation,
+        title=_headline(result),
         budget=float(result.parameters["budget"]),
     )
     save(figure, target / "overview.png", overwrite=overwrite)
@@ -242,8 +291,15 @@ def write_plan(
         "summary": result.summary,
     }
     written.append(
-        write_manifest(target / "run.json", command="plan", parameters=parameters or result.parameters, inputs=inputs,
-                       outputs=written, account=account, overwrite=overwrite)
+        write_manifest(
+            target / "run.json",
+            command="plan",
+            parameters=parameters or result.parameters,
+            inputs=inputs,
+            outputs=written,
+            account=account,
+            overwrite=overwrite,
+        )
     )
     report(1.0, "done")
     return written
@@ -252,7 +308,8 @@ def write_plan(
 def _headline(result: Plan) -> str:
     summary = result.summary
     return (
-        f"Fire breaks by {result.parameters['method']}: {100 * result.parameters['budget']:g} % of the fuel cut "
-        f"({summary['ha_cut']:,.0f} ha), mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % "
+        f"Fire breaks by {result.parameters['method']}: "
+        f"{100 * result.parameters['budget']:g} % of the fuel cut ({summary['ha_cut']:,.0f} ha), "
+        f"mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % "
         f"\N{RIGHTWARDS ARROW} {100 * summary['burnt_share_with_breaks']:.1f} %"
     )

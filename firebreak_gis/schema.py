@@ -66,6 +66,7 @@ def _ramp(*colours: str) -> Mapping[int, str]:
     return MappingProxyType(dict(enumerate(colours)))
 
 
+# fmt: off
 _VARIABLES = (
     Variable("elevation", ("y", "x"), "float32", "m", "terrain elevation", -500.0, 9000.0, -9999.0,
              colours=_ramp("#2d6a4f", "#95b46a", "#e9d8a6", "#b08968", "#f8f9fa")),
@@ -81,18 +82,20 @@ _VARIABLES = (
              colours=_ramp("#f7fcf5", "#74c476", "#00441b")),
     Variable("burnable", ("y", "x"), "bool", "1", "cell holds fuel"),
     Variable("spread_probability", ("direction", "y", "x"), "float32", "1",
-             "probability that fire spreads from the cell to its neighbour in this direction", 0.0, 1.0, -9999.0,
-             colours=_ramp("#ffffcc", "#fd8d3c", "#800026")),
-    Variable("priority", ("y", "x"), "float64", "1", "cutting priority, higher is cut earlier", None, None, -9999.0,
-             colours=_ramp("#fcfdbf", "#fe9f6d", "#de4968", "#8c2981", "#000004")),
+             "probability that fire spreads from the cell to its neighbour in this direction", 0.0, 1.0,
+             -9999.0, colours=_ramp("#ffffcc", "#fd8d3c", "#800026")),
+    Variable("priority", ("y", "x"), "float64", "1", "cutting priority, higher is cut earlier", None, None,
+             -9999.0, colours=_ramp("#fcfdbf", "#fe9f6d", "#de4968", "#8c2981", "#000004")),
     Variable("breaks", ("y", "x"), "uint8", "1", "fire break", 0, 1, 255,
-             MappingProxyType({0: "untouched", 1: "fire break"}), MappingProxyType({0: "#00000000", 1: "#1f4fd8"})),
+             MappingProxyType({0: "untouched", 1: "fire break"}),
+             MappingProxyType({0: "#00000000", 1: "#1f4fd8"})),
     Variable("burn_count", ("y", "x"), "uint32", "1", "runs in which the cell burns", 0, None, 4294967295,
              colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
-    Variable("burn_frequency", ("y", "x"), "float32", "1", "share of runs in which the cell burns", 0.0, 1.0, -9999.0,
-             colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
+    Variable("burn_frequency", ("y", "x"), "float32", "1", "share of runs in which the cell burns", 0.0, 1.0,
+             -9999.0, colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
     Variable("fire_size", ("run",), "int64", "1", "cells burnt in the run", 0),
 )
+# fmt: on
 
 #: All variables by name.
 VARIABLES: Mapping[str, Variable] = MappingProxyType({v.name: v for v in _VARIABLES})
@@ -138,8 +141,12 @@ def validate(dataset: xr.Dataset, names: Iterable[str]) -> None:
             continue
         low, high = data.min(), data.max()
         if variable.minimum is not None and float(low) < variable.minimum:
-            problems.append(f"{name} goes down to {float(low):g} {variable.units}, expected at least {variable.minimum:g}")
+            problems.append(
+                f"{name} goes down to {float(low):g} {variable.units}, expected at least {variable.minimum:g}"
+            )
         if variable.maximum is not None and float(high) > variable.maximum:
-            problems.append(f"{name} goes up to {float(high):g} {variable.units}, expected at most {variable.maximum:g}")
+            problems.append(
+                f"{name} goes up to {float(high):g} {variable.units}, expected at most {variable.maximum:g}"
+            )
     if problems:
         raise InputError("the landscape is not usable: " + "; ".join(problems))

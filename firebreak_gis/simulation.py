@@ -1,7 +1,7 @@
 """Monte-Carlo fires on a spread network, with and without breaks.
 
-Every edge is tried once a run with a draw keyed by (seed, run, edge). The same run therefore meets the same open
-edges with and without breaks, and neither the number of threads nor the order of runs changes a result.
+Every edge is tried once a run with a draw keyed by (seed, run, edge). The same run therefore meets the same
+open edges with and without breaks, and neither the number of threads nor the order of runs changes a result.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 
 from firebreak_gis.breaks import cells_to_cut, removal_order
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.ignitions import IgnitionMode, Ignitions, resolve_ignitions
+from firebreak_gis.ignitions import IgnitionMode, resolve_ignitions
 from firebreak_gis.progress import Progress, silent
 from firebreak_gis.schema import annotate
 from firebreak_gis.workers import run_pieces, thread_count
@@ -47,8 +47,8 @@ def simulate(
     network
         The spread network before cutting.
     breaks
-        (y, x), above 0 where the fuel is cut. Ignitions are drawn before cutting; one that falls on a cut cell
-        burns nothing.
+        (y, x), above 0 where the fuel is cut. Ignitions are drawn before cutting; one that falls on a cut
+        cell burns nothing.
     residual
         Share of its spread probability that a treated cell keeps; 0 is a perfect break.
     ignitions, ignition_mode
@@ -65,8 +65,8 @@ def simulate(
     Returns
     -------
     xarray.Dataset
-        `burn_count` (y, x) uint32, `burn_frequency` (y, x) float32 (NaN where there is no fuel) and `fire_size` (run)
-        int64 [cells].
+        `burn_count` (y, x) uint32, `burn_frequency` (y, x) float32 (NaN where there is no fuel) and
+        `fire_size` (run) int64 [cells].
 
     Raises
     ------
@@ -75,7 +75,8 @@ def simulate(
 
     Notes
     -----
-    Memory: 32 B a cell for the draw thresholds and up to 100 B a cell and thread, whatever the number of runs.
+    Memory: 32 B a cell for the draw thresholds and up to 100 B a cell and thread, whatever the number of
+    runs.
     """
     from firebreak_gis.kernels.draws import run_keys, thresholds
     from firebreak_gis.kernels.percolation import burn_runs, steps
@@ -100,8 +101,10 @@ def simulate(
         with adding:
             np.add(counts, own, out=counts)
 
-    run_pieces(burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning")
-    return _burns(network, counts.reshape(network.shape), sizes, start, seed)
+    run_pieces(
+        burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning"
+    )
+    return _burns(network, counts.reshape(network.shape), sizes, seed)
 
 
 def burn_curve(
@@ -152,11 +155,15 @@ def burn_curve(
     def burn(piece: tuple[int, int]) -> None:
         burn_levels(limits, keys, grid_steps, start.starts, start.cells, piece[0], piece[1], levels, burnt)
 
-    run_pieces(burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning")
+    run_pieces(
+        burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning"
+    )
     return xr.DataArray(
         burnt,
         dims=("run", "budget"),
-        coords={"budget": ("budget", np.asarray(budgets, dtype=np.float64), {"units": "1", "long_name": "d_f"})},
+        coords={
+            "budget": ("budget", np.asarray(budgets, dtype=np.float64), {"units": "1", "long_name": "d_f"})
+        },
         name="cells_burnt",
         attrs={"n_burnable": network.n_burnable, "seed": seed},
     )
@@ -192,7 +199,7 @@ def _pieces(n_runs: int, threads: int | None) -> list[tuple[int, int]]:
     return [(first, min(first + size, n_runs)) for first in range(0, n_runs, size)]
 
 
-def _burns(network: SpreadNetwork, counts: np.ndarray, sizes: np.ndarray, start: Ignitions, seed: int) -> xr.Dataset:
+def _burns(network: SpreadNetwork, counts: np.ndarray, sizes: np.ndarray, seed: int) -> xr.Dataset:
     import xarray as xr
 
     n_runs = sizes.size

@@ -16,7 +16,7 @@ _LISTEN_EVERY = 0.2  # seconds
 
 
 def thread_count(threads: int | None) -> int:
-    """Number of threads to use: as given, else FIREBREAK_THREADS, else the processors this process may use."""
+    """Threads to use: as given, else FIREBREAK_THREADS, else the processors this process may use."""
     if threads is None:
         given = os.environ.get("FIREBREAK_THREADS", "")
         affinity = getattr(os, "sched_getaffinity", None)
@@ -27,11 +27,17 @@ def thread_count(threads: int | None) -> int:
 
 
 def run_pieces(
-    work: Callable[[Piece], None], pieces: Sequence[Piece], *, threads: int | None, progress: Progress, message: str
+    work: Callable[[Piece], None],
+    pieces: Sequence[Piece],
+    *,
+    threads: int | None,
+    progress: Progress,
+    message: str,
 ) -> None:
     """Call `work` on every piece, several at a time.
 
-    `work` must release the interpreter lock to gain speed, and its effect must not depend on the order of pieces.
+    `work` must release the interpreter lock to gain speed, and its effect must not depend on the order of
+    pieces.
 
     Parameters
     ----------
@@ -42,8 +48,8 @@ def run_pieces(
     threads
         See `thread_count`.
     progress
-        Told the share of pieces done, at least five times a second. If it raises, pieces not yet begun are dropped
-        and the exception passes through once those at work have ended.
+        Told the share of pieces done, at least five times a second. If it raises, pieces not yet begun are
+        dropped and the exception passes through once those at work have ended.
     message
         Text for `progress`.
     """

@@ -30,7 +30,8 @@ OUTPUTS = {
 def command(session: Session, **given: Any) -> None:
     """Lay DEM, VEGETATION and DENSITY on one square grid in metres.
 
-    Writes elevation.tif, vegetation.tif and density.tif (classes of the paper) and says what was done to each layer.
+    Writes elevation.tif, vegetation.tif and density.tif (classes of the paper) and says what was done to each
+    layer.
     """
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import write_landscape
@@ -39,10 +40,28 @@ def command(session: Session, **given: Any) -> None:
     landscape = read_layers(given, session, progress=session.progress)
     inputs = input_files(given)
     parameters = recorded(given)
-    files = write_landscape(landscape, given["output"], overwrite=given["overwrite"], provenance=provenance(parameters),
-                            forbid=inputs)
+    files = write_landscape(
+        landscape,
+        given["output"],
+        overwrite=given["overwrite"],
+        provenance=provenance(parameters),
+        forbid=inputs,
+    )
     grid = Grid.of(landscape["burnable"])
-    account = {"grid": grid.describe(), "alignment": landscape.attrs["alignment"], "warnings": landscape.attrs["warnings"]}
-    files.append(write_manifest(Path(given["output"]) / "run.json", command="align", parameters=parameters, inputs=inputs,
-                                outputs=files, account=account, overwrite=given["overwrite"]))
+    account = {
+        "grid": grid.describe(),
+        "alignment": landscape.attrs["alignment"],
+        "warnings": landscape.attrs["warnings"],
+    }
+    files.append(
+        write_manifest(
+            Path(given["output"]) / "run.json",
+            command="align",
+            parameters=parameters,
+            inputs=inputs,
+            outputs=files,
+            account=account,
+            overwrite=given["overwrite"],
+        )
+    )
     session.finish({"files": files, **account}, f"{grid.describe()}; {len(files)} files in {given['output']}")

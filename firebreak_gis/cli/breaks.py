@@ -14,8 +14,12 @@ from firebreak_gis.cli.session import Session
 @click.argument("priority", type=kinds.RASTER)
 @options.output_file("Mask GeoTIFF")
 @options.budget
-@click.option("--polygons", type=kinds.NEW_VECTOR, metavar="FILE",
-              help="Also write the outlines (.gpkg, .geojson, .fgb, .parquet).")
+@click.option(
+    "--polygons",
+    type=kinds.NEW_VECTOR,
+    metavar="FILE",
+    help="Also write the outlines (.gpkg, .geojson, .fgb, .parquet).",
+)
 @options.common
 def command(session: Session, priority: str, output: str, polygons: str | None, **given: Any) -> None:
     """Cut the first cells of PRIORITY: exactly round(budget x cells with fuel), ties by row, then column."""
@@ -30,8 +34,13 @@ def command(session: Session, priority: str, output: str, polygons: str | None, 
         require_writable(name, overwrite=given["overwrite"], forbid=[priority])
     ranking = read_variable(priority, "priority")
     breaks = select_breaks(ranking, budget=given["budget"])
-    write_raster(output, breaks, overwrite=given["overwrite"], provenance=provenance({"budget": given["budget"]}),
-                 creation_options=options.pairs(given["creation_options"], "--co"))
+    write_raster(
+        output,
+        breaks,
+        overwrite=given["overwrite"],
+        provenance=provenance({"budget": given["budget"]}),
+        creation_options=options.pairs(given["creation_options"], "--co"),
+    )
     if polygons:
         write_vector(polygons, break_polygons(breaks, ranking), layer="breaks", overwrite=given["overwrite"])
     count = breaks.attrs["cells_cut"]

@@ -14,16 +14,20 @@ from firebreak_gis.cli.session import Session
 @click.command("burn")
 @click.argument("network", type=kinds.RASTER)
 @options.output_file("Burn frequency GeoTIFF")
-@click.option("--breaks", "mask", type=kinds.RASTER, metavar="RASTER",
-              help="Mask of cut cells (firebreak breaks).")
+@click.option(
+    "--breaks", "mask", type=kinds.RASTER, metavar="RASTER", help="Mask of cut cells (firebreak breaks)."
+)
 @click.option("--sizes", type=kinds.NEW_TABLE, metavar="FILE", help="Also write the fire sizes as CSV.")
 @options.fires
 @options.seed
 @options.common
-def command(session: Session, network: str, output: str, mask: str | None, sizes: str | None, **given: Any) -> None:
+def command(
+    session: Session, network: str, output: str, mask: str | None, sizes: str | None, **given: Any
+) -> None:
     """Burn NETWORK many times and write how often each cell burns.
 
-    With the same --seed the fires are the same with and without --breaks, so their difference is the breaks' work alone.
+    With the same --seed the fires are the same with and without --breaks, so their difference is the breaks'
+    work alone.
     """
     from firebreak_gis.files import require_writable, write_text
     from firebreak_gis.manifest import provenance
@@ -39,16 +43,29 @@ def command(session: Session, network: str, output: str, mask: str | None, sizes
     seed = options.checked_seed(given["seed"])
     spread = read_network(network)
     fires = {key: given[key] for key in ("n_runs", "ignitions", "ignition_mode")}
-    burns = simulate(spread, breaks=read_variable(mask, "breaks") if mask else None, seed=seed,
-                     progress=part(session.progress, 0.05, 0.95), **fires)
+    burns = simulate(
+        spread,
+        breaks=read_variable(mask, "breaks") if mask else None,
+        seed=seed,
+        progress=part(session.progress, 0.05, 0.95),
+        **fires,
+    )
     tags = provenance({**fires, "breaks": mask is not None}, seed=seed)
-    write_raster(output, burns["burn_frequency"], overwrite=given["overwrite"], provenance=tags, forbid=inputs,
-                 creation_options=options.pairs(given["creation_options"], "--co"))
+    write_raster(
+        output,
+        burns["burn_frequency"],
+        overwrite=given["overwrite"],
+        provenance=tags,
+        forbid=inputs,
+        creation_options=options.pairs(given["creation_options"], "--co"),
+    )
     cells = burns["fire_size"].to_numpy()
     if sizes:
         table = burns["fire_size"].to_dataframe(name="cells").reset_index()
         table["ha"] = (table["cells"] * spread.grid.cell_area_ha).round(6)
         write_text(sizes, table.to_csv(index=False, lineterminator="\n"), overwrite=given["overwrite"])
     share = cells.mean() / spread.n_burnable
-    session.finish({"files": files, "mean_burnt_share": share, "max_burnt_share": cells.max() / spread.n_burnable},
-                   f"{cells.size} runs, mean burnt share {100 * share:.1f} %; written to {', '.join(files)}")
+    session.finish(
+        {"files": files, "mean_burnt_share": share, "max_burnt_share": cells.max() / spread.n_burnable},
+        f"{cells.size} runs, mean burnt share {100 * share:.1f} %; written to {', '.join(files)}",
+    )

@@ -20,15 +20,20 @@ from firebreak_gis.cli.session import Session
 def command(ctx: click.Context, session: Session) -> None:
     """Describe every command, option, method and parameter as one JSON object.
 
-    What is absent is false or empty: a parameter without "flags" is an argument, one without "required" may be
-    left out. "outputs" are the files that a command writes into its folder.
+    What is absent is false or empty: a parameter without "flags" is an argument, one without "required" may
+    be left out. "outputs" are the files that a command writes into its folder.
     """
     group = ctx.find_root().command
     assert isinstance(group, click.Group)
     commands = {name: _command(name, group.get_command(ctx, name)) for name in group.list_commands(ctx)}
     found = {kind: [methods.describe(kind, name) for name in methods.names(kind)] for kind in methods.KINDS}
-    document = {"software": "firebreak_gis", "version": __version__, "commands": commands, "methods": found,
-                "legends": legends.names()}
+    document = {
+        "software": "firebreak_gis",
+        "version": __version__,
+        "commands": commands,
+        "methods": found,
+        "legends": legends.names(),
+    }
     session.finish(document, json.dumps(document, indent=1, ensure_ascii=False))
 
 
@@ -36,8 +41,12 @@ def _command(name: str, found: click.Command | None) -> dict[str, Any]:
     if found is None:
         return {}
     outputs = getattr(importlib.import_module(f"firebreak_gis.cli.{name}"), "OUTPUTS", {})
-    entry = {"summary": found.get_short_help_str(200), "help": inspect.cleandoc(found.help or ""),
-             "parameters": [_parameter(p) for p in found.params], "outputs": outputs}
+    entry = {
+        "summary": found.get_short_help_str(200),
+        "help": inspect.cleandoc(found.help or ""),
+        "parameters": [_parameter(p) for p in found.params],
+        "outputs": outputs,
+    }
     return {key: value for key, value in entry.items() if value}
 
 

@@ -23,14 +23,35 @@ OUTPUTS = {
 @click.command("evaluate")
 @click.argument("network", type=kinds.RASTER)
 @options.output_folder
-@click.option("--methods", "method_list", type=kinds.RANKINGS, default="bonacich,random", show_default=True,
-              metavar="LIST",
-              help="Rankings, separated by commas, parameters by colons: bonacich:beta=0.2,betweenness,random.")
-@click.option("--baseline", type=kinds.RANKING, metavar="NAME", default="random", show_default=True,
-              help="Ranking that the others are tested against.")
-@click.option("--budgets", metavar="LIST", help="Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01].")
-@click.option("--test", type=click.Choice(["wilcoxon", "ranksum", "t"]), default="wilcoxon", show_default=True,
-              help="Paired Wilcoxon signed-rank, Wilcoxon rank-sum for independent runs, or paired t.")
+@click.option(
+    "--methods",
+    "method_list",
+    type=kinds.RANKINGS,
+    default="bonacich,random",
+    show_default=True,
+    metavar="LIST",
+    help="Rankings, separated by commas, parameters by colons: bonacich:beta=0.2,betweenness,random.",
+)
+@click.option(
+    "--baseline",
+    type=kinds.RANKING,
+    metavar="NAME",
+    default="random",
+    show_default=True,
+    help="Ranking that the others are tested against.",
+)
+@click.option(
+    "--budgets",
+    metavar="LIST",
+    help="Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01].",
+)
+@click.option(
+    "--test",
+    type=click.Choice(["wilcoxon", "ranksum", "t"]),
+    default="wilcoxon",
+    show_default=True,
+    help="Paired Wilcoxon signed-rank, Wilcoxon rank-sum for independent runs, or paired t.",
+)
 @click.option("--alpha", type=float, default=0.01, show_default=True, help="Significance threshold.")
 @options.fires
 @options.seed
@@ -65,9 +86,19 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     for i, (label, method, params) in enumerate(methods):
         step = part(session.progress, 0.5 * i / len(methods), 0.5 * (i + 1) / len(methods), f"{label}: ")
         priorities[label] = rank(spread, method, seed=seed, progress=step, **params)
-    result = evaluate(spread, priorities, budgets=budgets, baseline=given["baseline"], test=given["test"],
-                      alpha=given["alpha"], n_runs=given["n_runs"], ignitions=given["ignitions"],
-                      ignition_mode=given["ignition_mode"], seed=seed, progress=part(session.progress, 0.5, 0.95))
+    result = evaluate(
+        spread,
+        priorities,
+        budgets=budgets,
+        baseline=given["baseline"],
+        test=given["test"],
+        alpha=given["alpha"],
+        n_runs=given["n_runs"],
+        ignitions=given["ignitions"],
+        ignition_mode=given["ignition_mode"],
+        seed=seed,
+        progress=part(session.progress, 0.5, 0.95),
+    )
     write_text(files[0], table(result).to_csv(index=False, lineterminator="\n"), overwrite=given["overwrite"])
     figure = curve_figure(result)
     for name in files[1:]:
@@ -75,10 +106,20 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     parameters = {"network": network, "method_list": method_list, **given}
     for key in ("overwrite", "creation_options"):
         parameters.pop(key)
-    files.append(write_manifest(target / "run.json", command="evaluate", inputs=inputs, outputs=files,
-                                parameters={k: v for k, v in parameters.items() if v is not None},
-                                account={"n_burnable": spread.n_burnable}, overwrite=given["overwrite"]))
-    session.finish({"files": files}, f"{len(priorities)} rankings at {len(budgets)} budgets; written to {output}")
+    files.append(
+        write_manifest(
+            target / "run.json",
+            command="evaluate",
+            inputs=inputs,
+            outputs=files,
+            parameters={k: v for k, v in parameters.items() if v is not None},
+            account={"n_burnable": spread.n_burnable},
+            overwrite=given["overwrite"],
+        )
+    )
+    session.finish(
+        {"files": files}, f"{len(priorities)} rankings at {len(budgets)} budgets; written to {output}"
+    )
 
 
 def _budgets(text: str) -> list[float]:

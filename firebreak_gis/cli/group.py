@@ -24,7 +24,7 @@ EXIT_BUG, EXIT_USAGE = 1, 2
 class Commands(click.Group):
     """Finds commands by file, and is the one place of the program that catches errors."""
 
-    def list_commands(self, ctx: click.Context) -> list[str]:
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - the interface of click
         """Name every command, in the order of the work."""
         found = {m.name for m in pkgutil.iter_modules(_package_path()) if m.name not in _SUPPORT}
         order = ["plan", "align", "network", "rank", "breaks", "burn", "evaluate"]
@@ -47,7 +47,10 @@ class Commands(click.Group):
         except FirebreakError as error:
             _fail(error, as_json)
         except MemoryError:
-            _fail(ResourceError("out of memory; use a coarser --res, a smaller --bounds or a larger machine"), as_json)
+            _fail(
+                ResourceError("out of memory; use a coarser --res, a smaller --bounds or a larger machine"),
+                as_json,
+            )
         except click.UsageError as error:
             if as_json:
                 _print_error("usage", error.format_message(), EXIT_USAGE)
@@ -78,7 +81,9 @@ def _fail(error: FirebreakError, as_json: bool) -> None:
 
 
 def _print_error(kind: str, message: str, code: int) -> None:
-    click.echo(json.dumps({"error": {"kind": kind, "message": message, "exit_code": code}}, ensure_ascii=False))
+    click.echo(
+        json.dumps({"error": {"kind": kind, "message": message, "exit_code": code}}, ensure_ascii=False)
+    )
 
 
 def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
@@ -96,8 +101,14 @@ def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
     epilog="Exit codes: 0 done, 1 bug, 2 usage, 3 input refused, 4 output, 5 resources, 6 component missing, "
     "7 verification failed, 130 cancelled.",
 )
-@click.option("--version", is_flag=True, is_eager=True, expose_value=False, callback=_show_version,
-              help="Show the version and exit (with --json as an object).")
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_show_version,
+    help="Show the version and exit (with --json as an object).",
+)
 @click.option("--json", "as_json", is_flag=True, hidden=True)
 def firebreak(as_json: bool) -> None:
     """Plan wildfire fire breaks: rasters in, fire breaks and burn maps out.

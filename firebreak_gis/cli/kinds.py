@@ -20,7 +20,8 @@ class Kind(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
         `raster`, `vector`, `file`, `number`, `choice`, `choices` (several, by commas) or `crs`; alternatives
         are joined by "|", the usual one first.
     choices
-        Returns the words of `choice` and `choices`; asked only for descriptions, commands check by themselves.
+        Returns the words of `choice` and `choices`; asked only for descriptions, commands check by
+        themselves.
     """
 
     def __init__(self, name: str, choices: Callable[[], Sequence[str]] | None = None) -> None:

@@ -16,7 +16,17 @@ if TYPE_CHECKING:
     from firebreak_gis.progress import Progress
 
 #: Options that may name a file.
-_FILES = ("dem", "vegetation", "density", "legend", "density_legend", "like", "ignitions", "wind_speed", "wind_from")
+_FILES = (
+    "dem",
+    "vegetation",
+    "density",
+    "legend",
+    "density_legend",
+    "like",
+    "ignitions",
+    "wind_speed",
+    "wind_from",
+)
 #: Options that do not shape the result.
 _TRANSIENT = ("output", "overwrite", "max_memory", "creation_options")
 
@@ -56,7 +66,11 @@ def read_layers(given: Mapping[str, Any], session: Session, *, progress: Progres
 
 def recorded(given: Mapping[str, Any]) -> dict[str, Any]:
     """Parameters worth keeping in run.json: those that shape the result, set ones only."""
-    return {k: v for k, v in sorted(given.items()) if k not in _TRANSIENT and v is not None and v != () and v != {}}
+    return {
+        k: v
+        for k, v in sorted(given.items())
+        if k not in _TRANSIENT and v is not None and v != () and v != {}
+    }
 
 
 def _layer_values(words: Any, option: str, kind: type) -> dict[str, Any] | None:

@@ -17,7 +17,9 @@ from firebreak_gis.errors import ParameterError
 @options.common
 def command(session: Session, name: str | None) -> None:
     """List the rankings and spread models, or show one: NAME with its text and parameters."""
-    found = [methods.describe(kind, n) for kind in methods.KINDS for n in methods.names(kind) if name in (None, n)]
+    found = [
+        methods.describe(kind, n) for kind in methods.KINDS for n in methods.names(kind) if name in (None, n)
+    ]
     if not found:
         raise ParameterError(f"there is no method {name!r}; firebreak methods lists them")
     session.finish({"methods": found}, "\n".join(_full(m) for m in found) if name else _listing(found))
@@ -36,5 +38,6 @@ def _full(method: dict[str, Any]) -> str:
     for p in method["parameters"]:
         bounds = [f"{word} {p[key]:g}" for key, word in (("minimum", "from"), ("maximum", "to")) if key in p]
         units = "" if p["units"] == "1" else f" [{p['units']}]"
-        lines.append(f"  {p['name']} = {p['default']}{units}  {p['text']}{' (' + ' '.join(bounds) + ')' if bounds else ''}")
+        limits = f" ({' '.join(bounds)})" if bounds else ""
+        lines.append(f"  {p['name']} = {p['default']}{units}  {p['text']}{limits}")
     return "\n".join(lines if method["parameters"] else [*lines, "  none"])

@@ -18,8 +18,8 @@ from firebreak_gis.cli.session import Session
 def command(session: Session, folder: str, output: str, **given: Any) -> None:
     """Build the spread network of the landscape in FOLDER (made by align).
 
-    Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order N NE E SE S
-    SW W NW.
+    Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order
+    N NE E SE S SW W NW.
     """
     from firebreak_gis.landscape import read_landscape_folder
     from firebreak_gis.manifest import provenance
@@ -31,8 +31,15 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
     network = spread_network(landscape, model=given["model"], **options.spread_params(given))
     session.progress(0.6, "writing")
     tags = provenance({k: given[k] for k in ("model", "model_params", "wind_speed", "wind_from")})
-    write_raster(output, network.to_raster(), overwrite=given["overwrite"], provenance=tags,
-                 creation_options=options.pairs(given["creation_options"], "--co"))
-    session.finish({"files": [output], "burnable_cells": network.n_burnable},
-                   f"{network.n_burnable} cells with fuel, mean edge probability "
-                   f"{network.probability[:, network.burnable].mean():.3f}; written to {output}")
+    write_raster(
+        output,
+        network.to_raster(),
+        overwrite=given["overwrite"],
+        provenance=tags,
+        creation_options=options.pairs(given["creation_options"], "--co"),
+    )
+    session.finish(
+        {"files": [output], "burnable_cells": network.n_burnable},
+        f"{network.n_burnable} cells with fuel, mean edge probability "
+        f"{network.probability[:, network.burnable].mean():.3f}; written to {output}",
+    )

@@ -21,7 +21,9 @@ F = TypeVar("F", bound=Callable[..., Any])
 def _load_config(ctx: click.Context, _: click.Parameter, path: str | None) -> str | None:
     if path is not None:
         given = {
-            key.replace("-", "_"): [f"{k}={v}" for k, v in value.items()] if isinstance(value, Mapping) else value
+            key.replace("-", "_"): [f"{k}={v}" for k, v in value.items()]
+            if isinstance(value, Mapping)
+            else value
             for key, value in read_config(path).items()
         }
         known = {p.name for p in ctx.command.params}
@@ -38,17 +40,31 @@ def _load_config(ctx: click.Context, _: click.Parameter, path: str | None) -> st
 def common(command: F) -> F:
     """--json, --progress, -v, -q, --config; the command gets a `Session` as `session`."""
 
-    @click.option("--config", type=click.Path(exists=True, dir_okay=False), is_eager=True, expose_value=False,
-                  callback=_load_config, help="Take parameters from a TOML file, or from the run.json of an earlier run; "
-                  "options given here win.")
+    @click.option(
+        "--config",
+        type=click.Path(exists=True, dir_okay=False),
+        is_eager=True,
+        expose_value=False,
+        callback=_load_config,
+        help="Take parameters from a TOML file, or from the run.json of an earlier run; "
+        "options given here win.",
+    )
     @click.option("--json", "as_json", is_flag=True, help="Print the result as one JSON object on stdout.")
-    @click.option("--progress", "progress_mode", type=click.Choice(["bar", "json", "none"]), default="bar",
-                  show_default=True, help="How progress is shown; json prints lines on stdout and stops when it reads "
-                  "'cancel' or the end of stdin.")
+    @click.option(
+        "--progress",
+        "progress_mode",
+        type=click.Choice(["bar", "json", "none"]),
+        default="bar",
+        show_default=True,
+        help="How progress is shown; json prints lines on stdout and stops when it reads "
+        "'cancel' or the end of stdin.",
+    )
     @click.option("-v", "--verbose", is_flag=True, help="Say more.")
     @click.option("-q", "--quiet", is_flag=True, help="Say only warnings and errors.")
     @functools.wraps(command)
-    def wrapper(*args: Any, as_json: bool, progress_mode: str, verbose: bool, quiet: bool, **kwargs: Any) -> Any:
+    def wrapper(
+        *args: Any, as_json: bool, progress_mode: str, verbose: bool, quiet: bool, **kwargs: Any
+    ) -> Any:
         session = Session(as_json, progress_mode, -1 if quiet else int(verbose))
         return command(*args, session=session, **kwargs)
 
@@ -57,8 +73,13 @@ def common(command: F) -> F:
 
 def output_folder(command: F) -> F:
     """-o DIR and --overwrite."""
-    command = click.option("-o", "--output", type=click.Path(file_okay=False), required=True,
-                           help="Folder to write into; made if it does not exist.")(command)
+    command = click.option(
+        "-o",
+        "--output",
+        type=click.Path(file_okay=False),
+        required=True,
+        help="Folder to write into; made if it does not exist.",
+    )(command)
     return overwrite(command)
 
 
@@ -67,8 +88,14 @@ def output_file(what: str) -> Callable[[F], F]:
 
     def decorate(command: F) -> F:
         return overwrite(
-            click.option("-o", "--output", type=kinds.NEW_RASTER, metavar="FILE", required=True,
-                         help=f"{what} to write.")(command)
+            click.option(
+                "-o",
+                "--output",
+                type=kinds.NEW_RASTER,
+                metavar="FILE",
+                required=True,
+                help=f"{what} to write.",
+            )(command)
         )
 
     return decorate
@@ -76,8 +103,13 @@ def output_file(what: str) -> Callable[[F], F]:
 
 def overwrite(command: F) -> F:
     """--overwrite and --co."""
-    command = click.option("--co", "creation_options", multiple=True, metavar="NAME=VALUE",
-                           help="Creation option of GDAL's COG driver, e.g. COMPRESS=ZSTD.")(command)
+    command = click.option(
+        "--co",
+        "creation_options",
+        multiple=True,
+        metavar="NAME=VALUE",
+        help="Creation option of GDAL's COG driver, e.g. COMPRESS=ZSTD.",
+    )(command)
     return click.option("--overwrite", is_flag=True, help="Replace existing files.")(command)
 
 
@@ -91,24 +123,63 @@ def inputs(command: F) -> F:
 def landscape(command: F) -> F:
     """How the layers are read and laid on one grid."""
     options = [
-        click.option("--legend", type=kinds.LEGEND, metavar="LEGEND", default="paper", show_default=True,
-                     help="What the vegetation codes mean: a built-in name (firebreak legends) or a CSV file."),
-        click.option("--density-legend", type=kinds.LEGEND, metavar="LEGEND", default="density", show_default=True,
-                     help="What the density codes mean: a built-in name or a CSV file."),
-        click.option("--dst-crs", "crs", type=kinds.CRS, metavar="CRS", help="CRS of the grid, projected in metres "
-                     "[default: the DEM's if it is in metres, else the UTM zone]."),
-        click.option("--res", "resolution", type=float, metavar="METRES", help="Cell size [default: the DEM's]."),
-        click.option("--bounds", type=float, nargs=4, metavar="LEFT BOTTOM RIGHT TOP",
-                     help="Extent in the CRS of the grid [default: what all layers cover]."),
+        click.option(
+            "--legend",
+            type=kinds.LEGEND,
+            metavar="LEGEND",
+            default="paper",
+            show_default=True,
+            help="What the vegetation codes mean: a built-in name (firebreak legends) or a CSV file.",
+        ),
+        click.option(
+            "--density-legend",
+            type=kinds.LEGEND,
+            metavar="LEGEND",
+            default="density",
+            show_default=True,
+            help="What the density codes mean: a built-in name or a CSV file.",
+        ),
+        click.option(
+            "--dst-crs",
+            "crs",
+            type=kinds.CRS,
+            metavar="CRS",
+            help="CRS of the grid, projected in metres "
+            "[default: the DEM's if it is in metres, else the UTM zone].",
+        ),
+        click.option(
+            "--res", "resolution", type=float, metavar="METRES", help="Cell size [default: the DEM's]."
+        ),
+        click.option(
+            "--bounds",
+            type=float,
+            nargs=4,
+            metavar="LEFT BOTTOM RIGHT TOP",
+            help="Extent in the CRS of the grid [default: what all layers cover].",
+        ),
         click.option("--like", type=kinds.RASTER, metavar="RASTER", help="Take the grid of this raster."),
-        click.option("--src-nodata", multiple=True, metavar="LAYER=VALUE",
-                     help="Value that means no data in dem, vegetation or density; may be repeated."),
-        click.option("--bidx", multiple=True, metavar="LAYER=BAND", help="Band to read of dem, vegetation or density."),
-        click.option("--unknown", type=click.Choice(["refuse", "nonburnable"]), default="refuse", show_default=True,
-                     help="What to do with codes that the legend does not list."),
+        click.option(
+            "--src-nodata",
+            multiple=True,
+            metavar="LAYER=VALUE",
+            help="Value that means no data in dem, vegetation or density; may be repeated.",
+        ),
+        click.option(
+            "--bidx", multiple=True, metavar="LAYER=BAND", help="Band to read of dem, vegetation or density."
+        ),
+        click.option(
+            "--unknown",
+            type=click.Choice(["refuse", "nonburnable"]),
+            default="refuse",
+            show_default=True,
+            help="What to do with codes that the legend does not list.",
+        ),
         click.option("--strict", is_flag=True, help="Refuse what would only be warned of."),
-        click.option("--max-memory", metavar="SIZE", help="Refuse work that needs more, e.g. 4GB "
-                     "[default: most of what is free]."),
+        click.option(
+            "--max-memory",
+            metavar="SIZE",
+            help="Refuse work that needs more, e.g. 4GB [default: most of what is free].",
+        ),
     ]
     return _apply(options, command)
 
@@ -116,14 +187,38 @@ def landscape(command: F) -> F:
 def spread(command: F) -> F:
     """The spread model and the wind."""
     options = [
-        click.option("--model", type=kinds.SPREAD, metavar="NAME", default="alexandridis", show_default=True,
-                     help="Spread model (firebreak methods)."),
-        click.option("--wind-speed", type=kinds.RASTER_OR_NUMBER, metavar="M/S", default="0", show_default=True,
-                     help="Wind speed, a number or a raster on the grid [m/s]."),
-        click.option("--wind-from", type=kinds.RASTER_OR_NUMBER, metavar="DEGREES", default="0", show_default=True,
-                     help="Direction the wind comes from, clockwise from north: 270 is a west wind; a number or a raster."),
-        click.option("--model-param", "model_params", multiple=True, metavar="NAME=VALUE",
-                     help="Parameter of the spread model, e.g. p0=0.5; may be repeated."),
+        click.option(
+            "--model",
+            type=kinds.SPREAD,
+            metavar="NAME",
+            default="alexandridis",
+            show_default=True,
+            help="Spread model (firebreak methods).",
+        ),
+        click.option(
+            "--wind-speed",
+            type=kinds.RASTER_OR_NUMBER,
+            metavar="M/S",
+            default="0",
+            show_default=True,
+            help="Wind speed, a number or a raster on the grid [m/s].",
+        ),
+        click.option(
+            "--wind-from",
+            type=kinds.RASTER_OR_NUMBER,
+            metavar="DEGREES",
+            default="0",
+            show_default=True,
+            help="Direction the wind comes from, clockwise from north: 270 is a west wind; a number or a "
+            "raster.",
+        ),
+        click.option(
+            "--model-param",
+            "model_params",
+            multiple=True,
+            metavar="NAME=VALUE",
+            help="Parameter of the spread model, e.g. p0=0.5; may be repeated.",
+        ),
     ]
     return _apply(options, command)
 
@@ -131,10 +226,22 @@ def spread(command: F) -> F:
 def ranking(command: F) -> F:
     """--method and -p."""
     options = [
-        click.option("--method", type=kinds.RANKING, metavar="NAME", default="bonacich", show_default=True,
-                     help="Ranking (firebreak methods)."),
-        click.option("-p", "--param", "method_params", multiple=True, metavar="NAME=VALUE",
-                     help="Parameter of the ranking, e.g. beta=0.5; may be repeated."),
+        click.option(
+            "--method",
+            type=kinds.RANKING,
+            metavar="NAME",
+            default="bonacich",
+            show_default=True,
+            help="Ranking (firebreak methods).",
+        ),
+        click.option(
+            "-p",
+            "--param",
+            "method_params",
+            multiple=True,
+            metavar="NAME=VALUE",
+            help="Parameter of the ranking, e.g. beta=0.5; may be repeated.",
+        ),
     ]
     return _apply(options, command)
 
@@ -142,12 +249,23 @@ def ranking(command: F) -> F:
 def fires(command: F) -> F:
     """--runs, --ignitions, --ignition-mode."""
     options = [
-        click.option("--runs", "n_runs", type=int, default=100, show_default=True, help="Number of simulated fires."),
-        click.option("--ignitions", type=kinds.VECTOR_OR_RASTER, metavar="PATH",
-                     help="Points (any vector file) or a raster of ignition probability "
-                     "[default: one random cell with fuel a run]."),
-        click.option("--ignition-mode", type=click.Choice(["each", "all"]), default="each", show_default=True,
-                     help="With points: runs take them in turn, or every run starts at all of them."),
+        click.option(
+            "--runs", "n_runs", type=int, default=100, show_default=True, help="Number of simulated fires."
+        ),
+        click.option(
+            "--ignitions",
+            type=kinds.VECTOR_OR_RASTER,
+            metavar="PATH",
+            help="Points (any vector file) or a raster of ignition probability "
+            "[default: one random cell with fuel a run].",
+        ),
+        click.option(
+            "--ignition-mode",
+            type=click.Choice(["each", "all"]),
+            default="each",
+            show_default=True,
+            help="With points: runs take them in turn, or every run starts at all of them.",
+        ),
     ]
     return _apply(options, command)
 
@@ -159,8 +277,13 @@ def seed(command: F) -> F:
 
 def budget(command: F) -> F:
     """--budget."""
-    return click.option("--budget", type=float, default=0.1, show_default=True,
-                        help="Share of the cells that hold fuel to cut, 0 to 1 (14 % is 0.14).")(command)
+    return click.option(
+        "--budget",
+        type=float,
+        default=0.1,
+        show_default=True,
+        help="Share of the cells that hold fuel to cut, 0 to 1 (14 % is 0.14).",
+    )(command)
 
 
 def _apply(options: list[Callable[[F], F]], command: F) -> F:
@@ -197,7 +320,9 @@ def methods_list(text: str) -> list[tuple[str, str, dict[str, str]]]:
         result.append((word, name, pairs(tuple(params), "--methods")))
     labels = [label for label, _, _ in result]
     if not result or len(set(labels)) != len(labels):
-        raise ParameterError(f"--methods got {text!r}, expected different names such as bonacich:beta=0.5,random")
+        raise ParameterError(
+            f"--methods got {text!r}, expected different names such as bonacich:beta=0.5,random"
+        )
     return result
 
 
@@ -250,5 +375,7 @@ def spread_params(given: Mapping[str, Any]) -> dict[str, Any]:
         if name in known:
             params.setdefault(name, value)
         elif not isinstance(value, float) or value != 0.0:
-            raise ParameterError(f"the spread model {given['model']!r} knows no wind; leave --{option.replace('_', '-')} out")
+            raise ParameterError(
+                f"the spread model {given['model']!r} knows no wind; leave --{option.replace('_', '-')} out"
+            )
     return params

@@ -40,15 +40,18 @@ OUTPUTS = {
 def command(session: Session, **given: Any) -> None:
     """Plan fire breaks: DEM, VEGETATION and DENSITY rasters in, breaks and burn maps out.
 
-    The layers may have any CRS, extent and cell size; they are laid on one square grid in metres. DENSITY may be a
-    raster, one of the words sparse, normal, dense, or left out if the legend gives the density.
+    The layers may have any CRS, extent and cell size; they are laid on one square grid in metres. DENSITY may
+    be a raster, one of the words sparse, normal, dense, or left out if the legend gives the density.
     """
     from firebreak_gis.files import make_folder, require_writable
     from firebreak_gis.pipeline import PLAN_FILES, plan, write_plan
     from firebreak_gis.progress import part
 
-    parameters = {**given, "method_params": options.pairs(given["method_params"], "--param"),
-                  "model_params": options.pairs(given["model_params"], "--model-param")}
+    parameters = {
+        **given,
+        "method_params": options.pairs(given["method_params"], "--param"),
+        "model_params": options.pairs(given["model_params"], "--model-param"),
+    }
     options.checked_seed(given["seed"])
     inputs = input_files(given)
     target = make_folder(given["output"])
@@ -69,14 +72,19 @@ def command(session: Session, **given: Any) -> None:
         progress=part(session.progress, 0.1, 0.8),
     )
     files = write_plan(
-        result, given["output"], parameters=recorded(parameters), inputs=inputs,
-        creation_options=options.pairs(given["creation_options"], "--co"), overwrite=given["overwrite"],
+        result,
+        given["output"],
+        parameters=recorded(parameters),
+        inputs=inputs,
+        creation_options=options.pairs(given["creation_options"], "--co"),
+        overwrite=given["overwrite"],
         progress=part(session.progress, 0.8, 1.0),
     )
     summary = result.summary
     session.finish(
         {"files": files, **summary},
-        f"{summary['cells_cut']} of {summary['burnable_cells']} cells with fuel cut ({summary['ha_cut']:,.1f} ha). "
+        f"{summary['cells_cut']} of {summary['burnable_cells']} cells with fuel cut "
+        f"({summary['ha_cut']:,.1f} ha). "
         f"Mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % without, "
         f"{100 * summary['burnt_share_with_breaks']:.1f} % with the breaks.\n"
         f"{len(files)} files in {given['output']}; look at overview.png first.",

@@ -28,9 +28,19 @@ def command(session: Session, network: str, output: str, **given: Any) -> None:
     require_writable(output, overwrite=given["overwrite"], forbid=[network])
     seed = options.checked_seed(given["seed"])
     params = options.pairs(given["method_params"], "--param")
-    priority = rank(read_network(network), given["method"], seed=seed,
-                    progress=part(session.progress, 0.05, 0.9), **params)
-    write_raster(output, priority, overwrite=given["overwrite"], forbid=[network],
-                 provenance=provenance({"method": given["method"], "method_params": params}, seed=seed),
-                 creation_options=options.pairs(given["creation_options"], "--co"))
+    priority = rank(
+        read_network(network),
+        given["method"],
+        seed=seed,
+        progress=part(session.progress, 0.05, 0.9),
+        **params,
+    )
+    write_raster(
+        output,
+        priority,
+        overwrite=given["overwrite"],
+        forbid=[network],
+        provenance=provenance({"method": given["method"], "method_params": params}, seed=seed),
+        creation_options=options.pairs(given["creation_options"], "--co"),
+    )
     session.finish({"files": [output]}, f"ranked by {given['method']}; written to {output}")

@@ -20,8 +20,14 @@ def command() -> None:
 
 
 @command.command("artificial-forest")
-@click.option("-o", "--output", type=click.Path(file_okay=False), default="artificial-forest", show_default=True,
-              help="Folder to write into; made if it does not exist.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(file_okay=False),
+    default="artificial-forest",
+    show_default=True,
+    help="Folder to write into; made if it does not exist.",
+)
 @options.overwrite
 @click.option("--forests", "n_forests", type=int, default=100, show_default=True, help="Number of forests.")
 @click.option("--runs", "n_runs", type=int, default=10, show_default=True, help="Fires a forest.")
@@ -44,18 +50,30 @@ def artificial_forest_command(session: Session, **given: Any) -> None:
     files = [target / name for name in ("curve.csv", "summary.json", "figure_1.png", "figure_1.svg")]
     for name in (*files, target / "run.json"):
         require_writable(name, overwrite=replace)
-    result = artificial_forest(n_forests=given["n_forests"], n_runs=given["n_runs"], seed=given["seed"],
-                               progress=session.progress)
+    result = artificial_forest(
+        n_forests=given["n_forests"], n_runs=given["n_runs"], seed=given["seed"], progress=session.progress
+    )
     found = summary(result)
     write_text(files[0], curve_table(result).to_csv(index=False, lineterminator="\n"), overwrite=replace)
     write_text(files[1], json.dumps(found, indent=2) + "\n", overwrite=replace)
     figure = figure_1(result, fallen=FALLEN)
     for name in files[2:]:
         save(figure, name, overwrite=replace)
-    files.append(write_manifest(target / "run.json", command="reproduce artificial-forest", inputs=[], outputs=files,
-                                parameters=recorded(given), account=found, overwrite=replace))
-    lines = [f"{label:14} mean R below {FALLEN:g} from d_f = {row['d_f_below_0.3']}"
-             for label, row in found["methods"].items()]
+    files.append(
+        write_manifest(
+            target / "run.json",
+            command="reproduce artificial-forest",
+            inputs=[],
+            outputs=files,
+            parameters=recorded(given),
+            account=found,
+            overwrite=replace,
+        )
+    )
+    lines = [
+        f"{label:14} mean R below {FALLEN:g} from d_f = {row['d_f_below_0.3']}"
+        for label, row in found["methods"].items()
+    ]
     session.finish({"files": files, **found}, "\n".join([*lines, f"written to {target}"]))
 
 
@@ -63,16 +81,37 @@ def artificial_forest_command(session: Session, **given: Any) -> None:
 @click.argument("dem", required=False)
 @click.argument("vegetation", required=False)
 @click.argument("density", required=False)
-@click.option("-o", "--output", type=click.Path(file_okay=False), default="landscape-figures", show_default=True,
-              help="Folder to write into; made if it does not exist.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(file_okay=False),
+    default="landscape-figures",
+    show_default=True,
+    help="Folder to write into; made if it does not exist.",
+)
 @options.overwrite
-@click.option("--ignition", type=float, nargs=2, metavar="X Y",
-              help="Where the fire of figure 4 starts, in the CRS of the grid [default: the middle].")
-@click.option("--rectangle", type=float, nargs=4, metavar="LEFT BOTTOM RIGHT TOP",
-              help="Where breaks are planned, in the CRS of the grid [default: everywhere].")
+@click.option(
+    "--ignition",
+    type=float,
+    nargs=2,
+    metavar="X Y",
+    help="Where the fire of figure 4 starts, in the CRS of the grid [default: the middle].",
+)
+@click.option(
+    "--rectangle",
+    type=float,
+    nargs=4,
+    metavar="LEFT BOTTOM RIGHT TOP",
+    help="Where breaks are planned, in the CRS of the grid [default: everywhere].",
+)
 @click.option("--wind-speed", type=float, default=8.0, show_default=True, help="Wind of figure 4 [m/s].")
-@click.option("--wind-from", type=float, default=315.0, show_default=True,
-              help="Direction the wind of figure 4 comes from, degrees clockwise from north.")
+@click.option(
+    "--wind-from",
+    type=float,
+    default=315.0,
+    show_default=True,
+    help="Direction the wind of figure 4 comes from, degrees clockwise from north.",
+)
 @click.option("--runs", "n_runs", type=int, default=100, show_default=True, help="Number of simulated fires.")
 @options.seed
 @options.landscape
@@ -104,14 +143,21 @@ def landscape_command(session: Session, **given: Any) -> None:
         require_writable(name, overwrite=replace, forbid=inputs)
     landscape = read_layers(given, session, progress=part(session.progress, 0.0, 0.1, "align: "))
     result = landscape_experiment(
-        landscape, ignition=given["ignition"] or None, rectangle=given["rectangle"] or None, wind_speed=given["wind_speed"],
-        wind_from_direction=given["wind_from"], n_runs=given["n_runs"], seed=given["seed"],
+        landscape,
+        ignition=given["ignition"] or None,
+        rectangle=given["rectangle"] or None,
+        wind_speed=given["wind_speed"],
+        wind_from_direction=given["wind_from"],
+        n_runs=given["n_runs"],
+        seed=given["seed"],
         progress=part(session.progress, 0.1, 0.9),
     )
     wind = f"wind {given['wind_speed']:g} m/s from {given['wind_from']:g} degrees"
     figures = (
         paper.figure_3(landscape),
-        paper.figure_4(landscape, result.fire, grey_levels(result.fire["burn_frequency"].to_numpy()), wind=wind),
+        paper.figure_4(
+            landscape, result.fire, grey_levels(result.fire["burn_frequency"].to_numpy()), wind=wind
+        ),
         paper.figure_5(result.evaluation),
         paper.figure_6(result.window, result.breaks),
     )
@@ -121,11 +167,21 @@ def landscape_command(session: Session, **given: Any) -> None:
     for name, frame in zip(tables, (table(result.evaluation), cut), strict=True):
         write_text(name, frame.to_csv(index=False, lineterminator="\n"), overwrite=replace)
     files = [*pictures, *tables]
-    files.append(write_manifest(target / "run.json", command="reproduce landscape", inputs=inputs, outputs=files,
-                                parameters=recorded(given), account={"cut_cells": cut.to_dict("records")},
-                                overwrite=replace))
-    session.finish({"files": files, "cut_cells": cut.to_dict("records")},
-                   f"{cut.to_string(index=False, float_format=lambda v: f'{v:.3f}')}\nwritten to {target}")
+    files.append(
+        write_manifest(
+            target / "run.json",
+            command="reproduce landscape",
+            inputs=inputs,
+            outputs=files,
+            parameters=recorded(given),
+            account={"cut_cells": cut.to_dict("records")},
+            overwrite=replace,
+        )
+    )
+    session.finish(
+        {"files": files, "cut_cells": cut.to_dict("records")},
+        f"{cut.to_string(index=False, float_format=lambda v: f'{v:.3f}')}\nwritten to {target}",
+    )
 
 
 def sample_layers() -> dict[str, str]:
@@ -135,6 +191,8 @@ def sample_layers() -> dict[str, str]:
     package = Path(firebreak_gis.__file__).parent
     for folder in (package / "sample_data", package.parent / "sample_data"):
         if (folder / "dem.tif").is_file():
-            return {name: str(folder / f"{stem}.tif")
-                    for name, stem in (("dem", "dem"), ("vegetation", "vegetation"), ("density", "density"))}
+            return {
+                name: str(folder / f"{stem}.tif")
+                for name, stem in (("dem", "dem"), ("vegetation", "vegetation"), ("density", "density"))
+            }
     raise ParameterError("the sample data is not installed; give DEM, VEGETATION and DENSITY")

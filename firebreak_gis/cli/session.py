@@ -28,7 +28,8 @@ class Session:
     as_json
         The result goes to stdout as one JSON object.
     progress_mode
-        `bar` (stderr, only on a terminal), `json` (lines on stdout; `cancel` or the end of stdin stops) or `none`.
+        `bar` (stderr, only on a terminal), `json` (lines on stdout; `cancel` or the end of stdin stops) or
+        `none`.
     verbosity
         -1 quiet, 0 normal, 1 verbose.
     """

@@ -14,8 +14,16 @@ _LENGTH = np.array(STEP_LENGTH)
 
 @kernel
 def fill_probability(
-    flammability: np.ndarray, elevation: np.ndarray, burnable: np.ndarray, cell_size: float, slope_factor: float,
-    wind: np.ndarray, first: int, last: int, periodic: bool, out: np.ndarray,
+    flammability: np.ndarray,
+    elevation: np.ndarray,
+    burnable: np.ndarray,
+    cell_size: float,
+    slope_factor: float,
+    wind: np.ndarray,
+    first: int,
+    last: int,
+    periodic: bool,
+    out: np.ndarray,
 ) -> None:
     """Set `out[:, first:last]`.
 

@@ -50,8 +50,8 @@ def artificial_forest(
 ) -> xr.Dataset:
     """Burn an ensemble of artificial forests under every ranking.
 
-    Each forest is drawn anew, ranked by every method and set on fire at its centre `n_runs` times; the fires of
-    a forest are the same for all methods.
+    Each forest is drawn anew, ranked by every method and set on fire at its centre `n_runs` times; the fires
+    of a forest are the same for all methods.
 
     Parameters
     ----------
@@ -75,8 +75,9 @@ def artificial_forest(
     Returns
     -------
     xarray.Dataset
-        As `evaluation.summarise`, rankings labelled as in `METHODS`. Mean, percentile and maximum are over all fires;
-        the paired Wilcoxon test compares the means of the forests, since fires of one forest are not independent.
+        As `evaluation.summarise`, rankings labelled as in `METHODS`. Mean, percentile and maximum are over
+        all fires; the paired Wilcoxon test compares the means of the forests, since fires of one forest are
+        not independent.
     """
     from firebreak_gis.kernels.draws import run_keys
 
@@ -92,8 +93,15 @@ def artificial_forest(
         for k, (label, method, params) in enumerate(METHODS):
             step(k / len(METHODS), label)
             priority = rank(network, method, seed=int(key), **params)
-            burnt = burn_curve(network, priority, budgets=budgets, ignitions=centre, n_runs=n_runs, seed=int(key),
-                               threads=threads)
+            burnt = burn_curve(
+                network,
+                priority,
+                budgets=budgets,
+                ignitions=centre,
+                n_runs=n_runs,
+                seed=int(key),
+                threads=threads,
+            )
             fires[label].append(burnt.to_numpy() / network.n_burnable)
     all_fires = {label: np.concatenate(shares) for label, shares in fires.items()}
     forest_means = {label: np.stack([s.mean(axis=0) for s in shares]) for label, shares in fires.items()}
@@ -124,8 +132,9 @@ def summary(result: xr.Dataset) -> dict[str, Any]:
     Returns
     -------
     dict
-        By label: `d_f_below_0.3`, the smallest d_f at which mean R < 0.3 (None if never), and `significant_d_f`, first
-        and last budget at which the ranking burns significantly less than random (None if never).
+        By label: `d_f_below_0.3`, the smallest d_f at which mean R < 0.3 (None if never), and
+        `significant_d_f`, first and last budget at which the ranking burns significantly less than random
+        (None if never).
     """
     d_f = result["budget"].to_numpy()
     found: dict[str, Any] = {}

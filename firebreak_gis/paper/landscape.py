@@ -72,8 +72,8 @@ def landscape_experiment(
 ) -> LandscapeExperiment:
     """Run the experiments of Figures 3 to 6.
 
-    Figure 4a is a fire with wind from one ignition. Figures 5 and 6 are planned and judged in calm air (the paper's
-    equation 9 has no wind) inside the rectangle, with random ignitions in it.
+    Figure 4a is a fire with wind from one ignition. Figures 5 and 6 are planned and judged in calm air (the
+    paper's equation 9 has no wind) inside the rectangle, with random ignitions in it.
 
     Parameters
     ----------
@@ -91,15 +91,28 @@ def landscape_experiment(
     window = crop(landscape, rectangle) if rectangle else landscape
     windy = spread_network(landscape, wind_speed=wind_speed, wind_from_direction=wind_from_direction)
     start = [ignition] if ignition else [middle(landscape)]
-    fire = simulate(windy, ignitions=start, n_runs=n_runs, seed=seed, threads=threads,
-                    progress=part(progress, 0.0, 0.2, "figure 4: "))
+    fire = simulate(
+        windy,
+        ignitions=start,
+        n_runs=n_runs,
+        seed=seed,
+        threads=threads,
+        progress=part(progress, 0.0, 0.2, "figure 4: "),
+    )
     network = spread_network(window)
     priorities = {}
     for i, (label, method, params) in enumerate(METHODS):
         step = part(progress, 0.2 + 0.1 * i, 0.3 + 0.1 * i, f"{label}: ")
         priorities[label] = rank(network, method, seed=seed, progress=step, **params)
-    evaluation = evaluate(network, priorities, budgets=BUDGETS, n_runs=n_runs, seed=seed, threads=threads,
-                          progress=part(progress, 0.5, 1.0, "figure 5: "))
+    evaluation = evaluate(
+        network,
+        priorities,
+        budgets=BUDGETS,
+        n_runs=n_runs,
+        seed=seed,
+        threads=threads,
+        progress=part(progress, 0.5, 1.0, "figure 5: "),
+    )
     breaks = {
         (label, budget): select_breaks(priorities[label], budget=budget, burnable=network.burnable)
         for label, budget in SHOWN
@@ -115,8 +128,8 @@ def crop(landscape: xr.Dataset, rectangle: tuple[float, float, float, float]) ->
     inside = landscape.sel(x=slice(left, right), y=slice(top, bottom))
     if min(inside.sizes["x"], inside.sizes["y"]) < 3:
         raise ParameterError(
-            f"the rectangle {rectangle} holds {inside.sizes['y']} x {inside.sizes['x']} cells, expected at least 3 x 3; "
-            "give left bottom right top in the CRS of the landscape"
+            f"the rectangle {rectangle} holds {inside.sizes['y']} x {inside.sizes['x']} cells, expected at "
+            "least 3 x 3; give left bottom right top in the CRS of the landscape"
         )
     return inside
 
@@ -133,8 +146,8 @@ def middle(landscape: xr.Dataset) -> tuple[float, float]:
 def grey_levels(frequency: np.ndarray) -> np.ndarray:
     """Burn frequency in the paper's grey levels.
 
-    The frequencies are sorted into 16 bins of equal width from 0 to their maximum; the bins get levels 256 down to 16 in
-    steps of 16, so that dark cells burn often.
+    The frequencies are sorted into 16 bins of equal width from 0 to their maximum; the bins get levels 256
+    down to 16 in steps of 16, so that dark cells burn often.
 
     Parameters
     ----------
@@ -147,7 +160,11 @@ def grey_levels(frequency: np.ndarray) -> np.ndarray:
         (rows, cols) int32: 16 .. 256; 0 where there is no fuel.
     """
     top = np.nanmax(frequency, initial=0.0)
-    bins = np.floor(GREY_LEVELS * np.nan_to_num(frequency) / (top or 1.0)).clip(0, GREY_LEVELS - 1).astype(np.int32)
+    bins = (
+        np.floor(GREY_LEVELS * np.nan_to_num(frequency) / (top or 1.0))
+        .clip(0, GREY_LEVELS - 1)
+        .astype(np.int32)
+    )
     return np.where(np.isnan(frequency), 0, 256 - 16 * bins)
 
 

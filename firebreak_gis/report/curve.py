@@ -43,8 +43,8 @@ def draw_curve(axes: Axes, result: xr.Dataset, *, budget: float | None = None, d
     budget
         Share to mark with a vertical line.
     detail
-        Whether to shade where the first ranking differs from the baseline and, for up to three rankings, to draw the
-        band from the mean to the 90 % percentile and bars up to the maximum.
+        Whether to shade where the first ranking differs from the baseline and, for up to three rankings, to
+        draw the band from the mean to the 90 % percentile and bars up to the maximum.
     """
     names = result["ranking"].to_numpy().tolist()
     baseline = result.attrs["baseline"]
@@ -76,7 +76,9 @@ def draw_curve(axes: Axes, result: xr.Dataset, *, budget: float | None = None, d
     axes.legend(fontsize=8, frameon=False)
 
 
-def _mark_significance(axes: Axes, result: xr.Dataset, names: list[str], baseline: str, d_f: np.ndarray) -> None:
+def _mark_significance(
+    axes: Axes, result: xr.Dataset, names: list[str], baseline: str, d_f: np.ndarray
+) -> None:
     """Shade the budgets at which the first ranking burns significantly less, or more, than the baseline."""
     others = [name for name in names if name != baseline]
     if not others or d_f.size < 2:
@@ -85,5 +87,15 @@ def _mark_significance(axes: Axes, result: xr.Dataset, names: list[str], baselin
     differs, below = first["significant"].to_numpy(), first["effect_size"].to_numpy() < 0
     for mask, colour, word in ((differs & below, "#f4d35e", "below"), (differs & ~below, "#b8a9c9", "above")):
         if mask.any():
-            axes.fill_between(d_f, 0, 1, where=mask, transform=axes.get_xaxis_transform(), color=colour, alpha=0.3, lw=0,
-                              label=f"{others[0]} {word} {baseline}, alpha = {result.attrs['alpha']:g}", zorder=0)
+            axes.fill_between(
+                d_f,
+                0,
+                1,
+                where=mask,
+                transform=axes.get_xaxis_transform(),
+                color=colour,
+                alpha=0.3,
+                lw=0,
+                label=f"{others[0]} {word} {baseline}, alpha = {result.attrs['alpha']:g}",
+                zorder=0,
+            )

@@ -37,14 +37,21 @@ def new_figure(width: float, height: float) -> Figure:
 
 
 def save(figure: Figure, path: str | os.PathLike[str], *, overwrite: bool = False, dpi: int = 150) -> Path:
-    """Write a figure whole or not at all; the suffix (.png, .svg, .pdf) chooses the format. No date is stored."""
+    """Write a figure whole or not at all, without a date; .png, .svg or .pdf chooses the format."""
     import matplotlib as mpl
 
     target = Path(path)
     kind = target.suffix.lstrip(".").lower()
-    metadata: dict[str, Any] = {"png": {"Software": None}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[kind]
+    metadata: dict[str, Any] = {
+        "png": {"Software": None},
+        "svg": {"Date": None},
+        "pdf": {"CreationDate": None},
+    }[kind]
     # A fixed salt makes the identifiers inside an SVG the same each time.
-    with mpl.rc_context({"svg.hashsalt": "firebreak_gis"}), replacing(target, overwrite=overwrite) as temporary:
+    with (
+        mpl.rc_context({"svg.hashsalt": "firebreak_gis"}),
+        replacing(target, overwrite=overwrite) as temporary,
+    ):
         figure.savefig(temporary, dpi=dpi, format=kind, metadata=metadata)
     return target
 
@@ -66,8 +73,16 @@ def map_axes(axes: Axes, grid: Grid, title: str) -> None:
     axes.set_aspect("equal")
     axes.set_facecolor(NO_FUEL)
     axes.tick_params(labelsize=7, length=2)
-    axes.annotate("N", (0.965, 0.99), (0.965, 0.89), xycoords="axes fraction", ha="center", va="center", fontsize=7,
-                  arrowprops={"arrowstyle": "-|>", "color": "black", "lw": 0.8, "shrinkB": 0})
+    axes.annotate(
+        "N",
+        (0.965, 0.99),
+        (0.965, 0.89),
+        xycoords="axes fraction",
+        ha="center",
+        va="center",
+        fontsize=7,
+        arrowprops={"arrowstyle": "-|>", "color": "black", "lw": 0.8, "shrinkB": 0},
+    )
 
 
 def extent(grid: Grid) -> tuple[float, float, float, float]:
@@ -93,18 +108,32 @@ def show_classes(axes: Axes, values: np.ndarray, grid: Grid, name: str) -> None:
     for code, colour in variable.colours.items():
         picture[values == code] = to_rgb(colour)
     show(axes, picture, grid)
-    patches = [Patch(facecolor=variable.colours[c], edgecolor="#666666", lw=0.4, label=t)
-               for c, t in variable.classes.items()]
-    axes.legend(handles=patches, loc="upper center", bbox_to_anchor=(0.5, -0.07), ncols=len(patches), fontsize=7,
-                frameon=False, handlelength=1.2, columnspacing=1.0)
+    patches = [
+        Patch(facecolor=variable.colours[c], edgecolor="#666666", lw=0.4, label=t)
+        for c, t in variable.classes.items()
+    ]
+    axes.legend(
+        handles=patches,
+        loc="upper center",
+        bbox_to_anchor=(0.5, -0.07),
+        ncols=len(patches),
+        fontsize=7,
+        frameon=False,
+        handlelength=1.2,
+        columnspacing=1.0,
+    )
 
 
 def hillshade(elevation: np.ndarray, cell_size: float) -> np.ndarray:
     """Light from the north-west at 45 degrees on a (rows, cols) terrain, 0 to 1; the vertical is doubled."""
     from matplotlib.colors import LightSource
 
-    filled = np.where(np.isfinite(elevation), elevation, np.nanmin(elevation) if np.isfinite(elevation).any() else 0.0)
-    return np.asarray(LightSource(azdeg=315, altdeg=45).hillshade(filled, vert_exag=2.0, dx=cell_size, dy=cell_size))
+    filled = np.where(
+        np.isfinite(elevation), elevation, np.nanmin(elevation) if np.isfinite(elevation).any() else 0.0
+    )
+    return np.asarray(
+        LightSource(azdeg=315, altdeg=45).hillshade(filled, vert_exag=2.0, dx=cell_size, dy=cell_size)
+    )
 
 
 def draw_breaks(axes: Axes, breaks: np.ndarray, grid: Grid) -> None:

@@ -87,7 +87,13 @@ def _terrain(axes: Axes, landscape: xr.Dataset, grid: Grid, shade: np.ndarray) -
 
 
 def _frequency(
-    axes: Axes, burns: xr.Dataset, grid: Grid, shade: np.ndarray, title: str, breaks: xr.DataArray | None, top: float
+    axes: Axes,
+    burns: xr.Dataset,
+    grid: Grid,
+    shade: np.ndarray,
+    title: str,
+    breaks: xr.DataArray | None,
+    top: float,
 ) -> None:
     map_axes(axes, grid, title)
     frequency = burns["burn_frequency"].to_numpy()
@@ -99,12 +105,21 @@ def _frequency(
     bar = axes.figure.colorbar(image, ax=axes, shrink=0.75, pad=0.02)
     bar.set_label("share of runs", fontsize=8)
     bar.ax.tick_params(labelsize=7)
-    note = f"mean burnt {100 * sizes.mean() / n_burnable:.1f} % of the fuel, worst run {100 * sizes.max() / n_burnable:.1f} %"
+    mean, worst = (100 * cells / n_burnable for cells in (sizes.mean(), sizes.max()))
+    note = f"mean burnt {mean:.1f} % of the fuel, worst run {worst:.1f} %"
     if breaks is not None:
         from matplotlib.patches import Patch
 
         draw_breaks(axes, breaks.to_numpy(), grid)
         count = int(np.count_nonzero(breaks.to_numpy()))
-        axes.legend(handles=[Patch(color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {100 * count / n_burnable:.1f} %")],
-                    loc="upper left", fontsize=7, framealpha=0.85)
+        axes.legend(
+            handles=[
+                Patch(
+                    color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {100 * count / n_burnable:.1f} %"
+                )
+            ],
+            loc="upper left",
+            fontsize=7,
+            framealpha=0.85,
+        )
     axes.set_xlabel(note, fontsize=8)

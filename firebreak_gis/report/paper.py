@@ -32,7 +32,7 @@ _LOOKS = {
 
 
 def figure_1(result: xr.Dataset, *, fallen: float) -> Figure:
-    """R(d_f) of all centralities on artificial forests; the strips below show where each differs from random."""
+    """R(d_f) of all centralities on artificial forests; strips below show where each differs from random."""
     figure = new_figure(9.0, 7.0)
     top, strips = figure.subplots(2, 1, sharex=True, height_ratios=(4, 1.3))
     d_f = result["budget"].to_numpy()
@@ -49,8 +49,11 @@ def figure_1(result: xr.Dataset, *, fallen: float) -> Figure:
     top.grid(color="#e3e3e3", lw=0.5)
     top.legend(fontsize=9, frameon=False, ncols=2)
     top.set_title(
-        f"Artificial forests 50 x 50: mean of {result.attrs['n_forests']} forests x {result.attrs['n_runs']} fires "
-        "(bands: to the 90 % percentile)", fontsize=11, loc="left", fontweight="bold",
+        f"Artificial forests 50 x 50: mean of {result.attrs['n_forests']} forests x "
+        f"{result.attrs['n_runs']} fires (bands: to the 90 % percentile)",
+        fontsize=11,
+        loc="left",
+        fontweight="bold",
     )
     others = [name for name in names if name != result.attrs["baseline"]]
     for row, name in enumerate(reversed(others)):
@@ -58,13 +61,24 @@ def figure_1(result: xr.Dataset, *, fallen: float) -> Figure:
         differs = picked["significant"].to_numpy()
         better = picked["effect_size"].to_numpy() < 0
         for mask, alpha in ((differs & better, 1.0), (differs & ~better, 0.25)):
-            strips.scatter(d_f[mask], np.full(mask.sum(), row), marker="s", s=14, color=_LOOKS[name][0], alpha=alpha, lw=0)
+            strips.scatter(
+                d_f[mask],
+                np.full(mask.sum(), row),
+                marker="s",
+                s=14,
+                color=_LOOKS[name][0],
+                alpha=alpha,
+                lw=0,
+            )
     strips.set_yticks(range(len(others)), list(reversed(others)), fontsize=7)
     strips.set_ylim(-0.7, len(others) - 0.3)
     strips.set_xlim(float(d_f[0]), float(d_f[-1]))
     strips.set_xlabel("share of cells cut, $d_f$")
-    strips.set_title(f"burns less (full) or more (pale) than random, Wilcoxon alpha = {result.attrs['alpha']:g}",
-                     fontsize=8, loc="left")
+    strips.set_title(
+        f"burns less (full) or more (pale) than random, Wilcoxon alpha = {result.attrs['alpha']:g}",
+        fontsize=8,
+        loc="left",
+    )
     return figure
 
 
@@ -87,7 +101,9 @@ def figure_4(landscape: xr.Dataset, fire: xr.Dataset, grey: np.ndarray, *, wind:
     map_axes(left, grid, f"Burn frequency of {fire.attrs['n_runs']} runs, {wind}")
     show(left, shade, grid, cmap="gray", alpha=0.4, vmin=0, vmax=1)
     frequency = fire["burn_frequency"].to_numpy()
-    image = show(left, np.where(frequency > 0, frequency, np.nan), grid, cmap=ramp("burn_frequency"), vmin=0, vmax=1)
+    image = show(
+        left, np.where(frequency > 0, frequency, np.nan), grid, cmap=ramp("burn_frequency"), vmin=0, vmax=1
+    )
     figure.colorbar(image, ax=left, shrink=0.8, label="share of runs")
     map_axes(right, grid, "The same in 16 grey levels, dark burns often")
     picture = np.where(grey == 0, np.nan, grey)
@@ -102,8 +118,12 @@ def figure_5(result: xr.Dataset) -> Figure:
     figure = new_figure(8.0, 5.5)
     axes = figure.subplots()
     draw_curve(axes, result)
-    axes.set_title(f"Burnt share of the fuel, {result.sizes['run']} fires (bars: maximum)", fontsize=11, loc="left",
-                   fontweight="bold")
+    axes.set_title(
+        f"Burnt share of the fuel, {result.sizes['run']} fires (bars: maximum)",
+        fontsize=11,
+        loc="left",
+        fontweight="bold",
+    )
     return figure
 
 
@@ -116,8 +136,20 @@ def figure_6(window: xr.Dataset, plans: dict[tuple[str, float], xr.DataArray]) -
     shade = hillshade(window["elevation"].to_numpy().astype(float), grid.cell_size)
     for axes, ((label, budget), mask) in zip(figure.subplots(1, len(plans)), plans.items(), strict=True):
         map_axes(axes, grid, f"Breaks by {label}, $d_f$ = {budget:g}")
-        show(axes, np.where(window["burnable"].to_numpy(), shade, np.nan), grid, cmap="gray", alpha=0.5, vmin=0, vmax=1)
+        show(
+            axes,
+            np.where(window["burnable"].to_numpy(), shade, np.nan),
+            grid,
+            cmap="gray",
+            alpha=0.5,
+            vmin=0,
+            vmax=1,
+        )
         draw_breaks(axes, mask.to_numpy(), grid)
-        axes.legend(handles=[Patch(color=BREAK_COLOUR, label=f"{int((mask > 0).sum())} cells cut")], loc="upper left",
-                    fontsize=8, framealpha=0.85)
+        axes.legend(
+            handles=[Patch(color=BREAK_COLOUR, label=f"{int((mask > 0).sum())} cells cut")],
+            loc="upper left",
+            fontsize=8,
+            framealpha=0.85,
+        )
     return figure

@@ -4,11 +4,11 @@ A burning cell l lights its neighbour k with
 
     p = min(1, p0 (1 + type_k) (1 + density_k) exp(a theta) exp(V (c1 + c2 (cos phi - 1))))
 
-where theta is the slope angle from l to k in degrees (positive uphill, so fire runs uphill), V the wind speed at
-l and phi the angle between the direction l -> k and the direction in which the wind blows. Cost: one pass.
+where theta is the slope angle from l to k in degrees (positive uphill, so fire runs uphill), V the wind speed
+at l and phi the angle between the direction l -> k and the direction in which the wind blows. Cost: one pass.
 
-Sources: Alexandridis, Vakalis, Siettos, Bafas 2008, doi 10.1016/j.amc.2008.06.046; Russo, Russo, Siettos 2016,
-doi 10.1371/journal.pone.0163226 (Table 1).
+Sources: Alexandridis, Vakalis, Siettos, Bafas 2008, doi 10.1016/j.amc.2008.06.046; Russo, Russo, Siettos
+2016, doi 10.1371/journal.pone.0163226 (Table 1).
 """
 
 from __future__ import annotations
@@ -38,11 +38,19 @@ class Params:
         0.0, text="Wind speed at mid-flame height", units="m s-1", minimum=0.0, maximum=60.0, raster=True
     )
     wind_from_direction: Any = parameter(
-        0.0, text="Direction the wind comes from, clockwise from north", units="degree", minimum=0.0, maximum=360.0,
+        0.0,
+        text="Direction the wind comes from, clockwise from north",
+        units="degree",
+        minimum=0.0,
+        maximum=360.0,
         raster=True,
     )
-    p0: float = parameter(0.58, text="Spread probability on flat calm ground, shrubs of normal density", minimum=0.0,
-                          maximum=1.0)
+    p0: float = parameter(
+        0.58,
+        text="Spread probability on flat calm ground, shrubs of normal density",
+        minimum=0.0,
+        maximum=1.0,
+    )
     a: float = parameter(0.078, text="Effect of slope", units="degree-1", minimum=0.0, maximum=1.0)
     c1: float = parameter(0.045, text="Effect of wind speed", units="s m-1", minimum=0.0, maximum=1.0)
     c2: float = parameter(0.131, text="Effect of wind direction", units="s m-1", minimum=0.0, maximum=1.0)
@@ -73,7 +81,9 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
     burnable = landscape["burnable"].to_numpy()
     elevation = landscape["elevation"].to_numpy().astype(np.float64)
     if not np.isfinite(elevation[burnable]).all():
-        raise InputError("elevation is missing in cells that hold fuel; mark them as not burnable or fill the gaps")
+        raise InputError(
+            "elevation is missing in cells that hold fuel; mark them as not burnable or fill the gaps"
+        )
     type_effect = _effect(landscape, "vegetation", (0.0, params.agricultural, params.shrubs, params.pines))
     density_effect = _effect(landscape, "density", (0.0, params.sparse, params.normal, params.dense))
     flammability = np.maximum(params.p0 * (1.0 + type_effect) * (1.0 + density_effect), 0.0)
@@ -84,8 +94,19 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
     edges = np.linspace(0, grid.shape[0], n_bands + 1).astype(int)
     with ThreadPoolExecutor(n_bands) as pool:
         bands = [
-            pool.submit(fill_probability, flammability, elevation, burnable, grid.cell_size, params.a, wind, int(first),
-                        int(last), periodic, out)
+            pool.submit(
+                fill_probability,
+                flammability,
+                elevation,
+                burnable,
+                grid.cell_size,
+                params.a,
+                wind,
+                int(first),
+                int(last),
+                periodic,
+                out,
+            )
             for first, last in zip(edges[:-1], edges[1:], strict=True)
         ]
         for band in bands:

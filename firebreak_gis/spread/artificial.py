@@ -49,12 +49,14 @@ def forest(shape: tuple[int, int] = (50, 50), *, seed: int = 0) -> xr.Dataset:
     emptiness = uniforms(stream_key(seed, "forest"), shape[0] * shape[1]).reshape(shape)
     data = {
         "emptiness": grid.dataarray(emptiness, "emptiness", units="1", long_name="1 is empty, 0 very dense"),
-        "burnable": grid.dataarray(np.ones(shape, dtype=bool), "burnable", units="1", long_name="cell holds fuel"),
+        "burnable": grid.dataarray(
+            np.ones(shape, dtype=bool), "burnable", units="1", long_name="cell holds fuel"
+        ),
     }
     return xr.Dataset(data, attrs={"boundary": "periodic", "seed": seed})
 
 
-def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
+def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:  # noqa: ARG001 - every model has it
     """Return (8, rows, cols) float32 from `emptiness`.
 
     Raises
@@ -63,8 +65,10 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
         If `emptiness` is missing or outside [0, 1].
     """
     if "emptiness" not in landscape:
-        raise InputError("the artificial model needs a variable 'emptiness' in [0, 1]; make one with "
-                         "spread.artificial.forest")
+        raise InputError(
+            "the artificial model needs a variable 'emptiness' in [0, 1]; make one with "
+            "spread.artificial.forest"
+        )
     fuel = 1.0 - landscape["emptiness"].to_numpy()
     if not (fuel.min() >= 0.0 and fuel.max() <= 1.0):
         raise InputError("emptiness must lie in [0, 1] without NaN")

@@ -1,7 +1,7 @@
 """Probabilities from an eight-band raster: bring your own fire model.
 
-Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order N NE E SE
-S SW W NW. Cells that are nodata in all bands hold no fuel. Cost: one read.
+Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order N
+NE E SE S SW W NW. Cells that are nodata in all bands hold no fuel. Cost: one read.
 """
 
 from __future__ import annotations
@@ -27,7 +27,9 @@ if TYPE_CHECKING:
 class Params:
     """Where the probabilities stand."""
 
-    path: str = parameter("", text="Eight-band raster of spread probabilities on the grid of the landscape", path=True)
+    path: str = parameter(
+        "", text="Eight-band raster of spread probabilities on the grid of the landscape", path=True
+    )
 
 
 def read_network(path: str | Path) -> SpreadNetwork:
@@ -36,8 +38,8 @@ def read_network(path: str | Path) -> SpreadNetwork:
     Parameters
     ----------
     path
-        Raster with bands N NE E SE S SW W NW, values in [0, 1]. Cells that are nodata in every band hold no fuel; if
-        the raster has no nodata cell, cells with no edge in or out hold none.
+        Raster with bands N NE E SE S SW W NW, values in [0, 1]. Cells that are nodata in every band hold no
+        fuel; if the raster has no nodata cell, cells with no edge in or out hold none.
 
     Raises
     ------
@@ -46,13 +48,17 @@ def read_network(path: str | Path) -> SpreadNetwork:
     """
     data = read_variable(path, "spread_probability")
     values, burnable = _split(data)
-    return SpreadNetwork(data.copy(data=values), burnable=burnable, boundary=data.attrs.get("boundary", "open"))
+    return SpreadNetwork(
+        data.copy(data=values), burnable=burnable, boundary=data.attrs.get("boundary", "open")
+    )
 
 
 def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
     """Return (8, rows, cols) float32 read from `params.path`; it must lie on the grid of the landscape."""
     if not params.path:
-        raise ParameterError("the spread model 'raster' needs path=..., an eight-band raster of probabilities")
+        raise ParameterError(
+            "the spread model 'raster' needs path=..., an eight-band raster of probabilities"
+        )
     data = read_variable(params.path, "spread_probability")
     Grid.of(landscape["burnable"]).require(Grid.of(data), params.path)
     return _split(data)[0]
