@@ -262,10 +262,11 @@ def _remove_stale(place: Path) -> None:
     """Remove what killed processes left in the folder: whoever holds the lock of a name owns its parts."""
     own = _key(place)
     _remove_parts(place.parent, PREFIX + own + "-")
-    start = len(PREFIX)
+    digits = "?" * len(own)
     keys = {
-        entry.name[start : start + len(own)]
-        for entry in place.parent.glob(f"{PREFIX}{'?' * len(own)}-*.part*")
+        entry.name[len(PREFIX) : len(PREFIX) + len(own)]
+        for pattern in (f"{PREFIX}{digits}-*.part*", f"{PREFIX}{digits}.lock")
+        for entry in place.parent.glob(pattern)
     }
     for key in keys - {own}:
         with contextlib.suppress(OutputError), _locked(place.parent, key) as exclusive:

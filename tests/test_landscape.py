@@ -70,6 +70,15 @@ def test_inputs_are_not_changed(tmp_path):
     assert all(array.identical(copy) for array, copy in zip(arrays, copies, strict=True))
 
 
+def test_an_array_without_crs_is_refused_with_the_way_out(tmp_path):
+    dem, vegetation, density = three(tmp_path)
+    array = read_raster(vegetation).drop_vars("spatial_ref")
+    with pytest.raises(CRSError, match="write_crs"):
+        read_landscape(dem, array, density)
+    with pytest.raises(InputError, match="select one band"):
+        read_landscape(dem, read_raster(vegetation).expand_dims(band=2), density)
+
+
 @pytest.mark.filterwarnings("ignore:Use `@` matmul")
 def test_rioxarray_arrays_are_taken(tmp_path):
     rioxarray = pytest.importorskip("rioxarray")

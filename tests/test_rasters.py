@@ -374,7 +374,7 @@ def test_control_points_alone_are_refused_with_the_command(tmp_path):
 
     path = tmp_path / "gcp.tif"
     points = [Point(0, 0, 5e5, 4e6), Point(0, 5, 5e5 + 100, 4e6), Point(6, 0, 5e5, 4e6 - 120)]
-    write(path, patches(6, 5, [1]), crs=None, gcps=points, transform=Affine.identity())
+    write(path, patches(6, 5, [1]), gcps=points, transform=Affine.identity())
     with pytest.raises(GridError, match="gdalwarp"):
         rasters.read_raster(path)
 
@@ -470,6 +470,17 @@ def test_every_odd_file_gets_an_answer_or_a_sentence():
         assert Grid.of(data).crs is not None
         assert np.isfinite(data).any()
     assert answers >= 4
+
+
+def test_an_artificial_forest_has_no_crs_and_is_read_when_asked(tmp_path):
+    grid = Grid((5, 6))
+    values = values_of("spread_probability", 5, 6)
+    path = rasters.write_raster(tmp_path / "network.tif", grid.dataarray(values, "spread_probability"))
+    with pytest.raises(CRSError):
+        rasters.read_variable(path, "spread_probability")
+    back = rasters.read_variable(path, "spread_probability", unreferenced=True)
+    np.testing.assert_array_equal(back, values)
+    assert Grid.of(back).matches(grid)
 
 
 def test_importing_costs_little():

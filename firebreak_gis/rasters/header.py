@@ -241,9 +241,13 @@ def require_georeferenced(header: Header) -> CRS:
         )
         raise GridError(f"{where} does not say where its cells lie (no transform); {help_}")
     if header.crs is None:
-        raise CRSError(
-            f"{where} has no coordinate reference system; assign the one it was made in, e.g. "
+        how = (
             "gdal_translate -a_srs EPSG:32635 in.tif out.tif"
+            if header.array is None
+            else 'data.rio.write_crs("EPSG:32635")'
+        )
+        raise CRSError(
+            f"{where} has no coordinate reference system; assign the one it was made in, e.g. {how}"
         )
     if abs(header.transform.determinant) == 0 or not all(math.isfinite(v) for v in header.transform[:6]):
         raise GridError(

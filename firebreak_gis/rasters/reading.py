@@ -154,7 +154,9 @@ def read_raster(
     return grid.dataarray(values, "raster", units=header.units, notes=list(cells.notes))
 
 
-def read_variable(path: str | os.PathLike[str], name: str, *, remote: bool = False) -> xr.DataArray:
+def read_variable(
+    path: str | os.PathLike[str], name: str, *, unreferenced: bool = False, remote: bool = False
+) -> xr.DataArray:
     """Read a raster as a variable of the schema, own output or brought along.
 
     Floats have NaN for "no data", `priority` -inf, classes and counts 0 ("none").
@@ -166,6 +168,8 @@ def read_variable(path: str | os.PathLike[str], name: str, *, remote: bool = Fal
         N NE E SE S SW W NW, 1 otherwise.
     name
         Name in `schema.VARIABLES`, for example "spread_probability".
+    unreferenced
+        Accept a raster without CRS, as written for an artificial forest.
     remote
         As in `read_raster`.
 
@@ -182,7 +186,8 @@ def read_variable(path: str | os.PathLike[str], name: str, *, remote: bool = Fal
     variable = VARIABLES[name]
     bands = _require_bands(path, variable, remote)
     headers = [read_header(path, band=band, remote=remote) for band in range(1, bands + 1)]
-    require_georeferenced(headers[0])
+    if headers[0].crs is not None or not unreferenced:
+        require_georeferenced(headers[0])
     grid, planes = None, []
     for header in headers:
         cells = read_cells(header, sentinels=False)
