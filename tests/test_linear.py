@@ -140,10 +140,10 @@ def test_bounds_enclose_the_dense_eigenvalue(seed, boundary):
     assert bounds.width < 1e-11
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("wind", [False, True])
 def test_windows_certify_what_the_whole_map_gives(seed, wind):
-    network = smooth_landscape(seed, (170, 200), wind)
+    network = smooth_landscape(seed, (120, 150), wind)
     whole = block_bounds(grid_matrix(network.probability, "open"), 1e-12)
     bounds = spectral_radius(network.probability, direct_cells=0)
     assert bounds.lower <= whole.upper
