@@ -86,9 +86,13 @@ def select_breaks(
     ------
     ParameterError
         If the budget is not a share, or is more than can be cut.
+    GridError
+        If `priority` or `burnable` has other dimensions or shapes.
     """
     position = removal_order(priority)
     n_candidates = int(np.count_nonzero(position >= 0))
+    if burnable is not None and np.shape(burnable) != position.shape:
+        raise GridError(f"burnable has shape {np.shape(burnable)}, expected {position.shape}")
     n_burnable = n_candidates if burnable is None else int(np.count_nonzero(np.asarray(burnable)))
     count = cells_to_cut(budget, n_burnable)
     if count > n_candidates:

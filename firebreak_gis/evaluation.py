@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import typing
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -57,7 +58,13 @@ def evaluate(
     -------
     xarray.Dataset
         As `summarise` returns it.
+
+    Raises
+    ------
+    ParameterError, InputError, GridError
+        As `summarise` and `simulate`; the baseline is looked for before the first fire.
     """
+    _require_choice(priorities, baseline, test)
     shares = {}
     for i, (name, priority) in enumerate(priorities.items()):
         step = part(progress, i / len(priorities), (i + 1) / len(priorities), f"{name}: ")
@@ -107,12 +114,11 @@ def summarise(
     Raises
     ------
     ParameterError
-        If the baseline is not among the methods.
+        If the baseline is not among the methods, or there is no such test.
     """
     import xarray as xr
 
-    if baseline not in shares:
-        raise ParameterError(f"the baseline {baseline!r} is not among the methods {', '.join(shares)}")
+    _require_choice(shares, baseline, test)
     names = list(shares)
     burnt = np.stack([shares[name] for name in names])
     p_value = np.full((len(names), burnt.shape[2]), np.nan)
@@ -137,6 +143,17 @@ def summarise(
     )
 
 
+def _require_choice(methods: Mapping[str, Any], baseline: str, test: str) -> None:
+    if baseline not in methods:
+        raise ParameterError(f"the baseline {baseline!r} is not among the methods {', '.join(methods)}")
+    _require_test(test)
+
+
+def _require_test(test: str) -> None:
+    if test not in typing.get_args(Test):
+        raise ParameterError(f"test is {test!r}, expected one of {', '.join(typing.get_args(Test))}")
+
+
 def compare(burnt: np.ndarray, baseline: np.ndarray, *, test: Test = "wilcoxon") -> tuple[float, float]:
     """Test whether two samples of fires differ.
 
@@ -156,17 +173,18 @@ def compare(burnt: np.ndarray, baseline: np.ndarray, *, test: Test = "wilcoxon")
     """
     from scipy import stats
 
+    _require_test(test)
     difference = burnt - baseline
     if test == "ranksum":
         outcome = stats.mannwhitneyu(burnt, baseline, alternative="two-sided")
         return float(outcome.pvalue), float(2.0 * outcome.statistic / (burnt.size * baseline.size) - 1.0)
-    if test not in ("wilcoxon", "t"):
-        raise ParameterError(f"test is {test!r}, expected 'wilcoxon', 'ranksum' or 't'")
     if not difference.any():
         return 1.0, 0.0
     ranks = stats.rankdata(np.abs(difference))
     effect = float((ranks * np.sign(difference)).sum() / ranks.sum())
     if test == "t":
+        if difference.size == 1:
+            return 1.0, effect  # one run proves nothing
         constant = np.ptp(difference) == 0.0
         return (0.0 if constant else float(stats.ttest_rel(burnt, baseline).pvalue)), effect
     return float(stats.wilcoxon(burnt, baseline, zero_method="pratt", method="approx").pvalue), effect

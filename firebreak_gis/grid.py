@@ -54,8 +54,21 @@ class Grid:
 
     @property
     def cell_area_ha(self) -> float:
-        """Area of a cell in hectares (CRS in metres)."""
+        """Area of a cell in hectares; raises `CRSError` if the CRS is not in metres."""
+        self.require_metres("areas in hectares")
         return abs(self.transform.a * self.transform.e) / 10_000.0
+
+    def require_metres(self, purpose: str) -> None:
+        """Raise `CRSError` if there is a CRS whose unit is not the metre; `purpose` says what needs it."""
+        if self.crs is None:
+            return
+        if self.crs.is_projected and all(a.unit_conversion_factor == 1.0 for a in self.crs.axis_info[:2]):
+            return
+        unit = self.crs.axis_info[0].unit_name if self.crs.axis_info else "unknown units"
+        raise CRSError(
+            f"{purpose} need a projected CRS in metres, got {crs_name(self.crs)} in {unit}; align the layers "
+            "first (firebreak align, or read_landscape)"
+        )
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
@@ -181,17 +194,19 @@ class Grid:
         return coords
 
     @classmethod
-    def of(cls, data: xr.DataArray | xr.Dataset) -> Grid:
-        """Read the grid of an xarray object with `y`, `x` and (as rioxarray keeps it) `spatial_ref`.
+    def of(cls, data: Any) -> Grid:
+        """Read the grid of a DataArray or Dataset with `y`, `x` and (as rioxarray keeps it) `spatial_ref`.
 
         Raises
         ------
         GridError
-            If there are no `y`, `x` dimensions or the coordinates are not evenly spaced and north-up.
+            If the last dimensions of an array are not (y, x), or the coordinates are not evenly spaced and
+            north-up.
         """
-        for dim in ("y", "x"):
-            if dim not in data.dims:
-                raise GridError(f"expected dimensions (y, x), got {tuple(data.dims)}; rename or transpose")
+        dims = tuple(data.dims)
+        is_array = hasattr(data, "ndim")
+        if not {"y", "x"} <= set(dims) or (is_array and dims[-2:] != ("y", "x")):
+            raise GridError(f"expected dimensions (..., y, x), got {dims}; rename or transpose")
         shape = (int(data.sizes["y"]), int(data.sizes["x"]))
         crs = None
         transform = None

@@ -61,12 +61,13 @@ def resolve_ignitions(
     Raises
     ------
     ParameterError
-        If `n_runs` or `mode` is impossible.
+        If `n_runs`, `seed` or `mode` is impossible.
     InputError
         If a point lies outside the grid or on a cell without fuel, or the raster has no weight on fuel.
     """
-    if isinstance(n_runs, bool) or n_runs != int(n_runs) or n_runs < 1:
-        raise ParameterError(f"n_runs is {n_runs}, expected a whole number of at least 1")
+    for name, number, least in (("n_runs", n_runs, 1), ("seed", seed, 0)):
+        if not isinstance(number, (int, np.integer)) or isinstance(number, bool) or number < least:
+            raise ParameterError(f"{name} is {number!r}, expected a whole number of at least {least}")
     if mode not in ("each", "all"):
         raise ParameterError(f"ignition mode is {mode!r}, expected 'each' or 'all'")
     if network.n_burnable == 0:
@@ -93,8 +94,8 @@ def _weights(network: SpreadNetwork, ignitions: Any) -> np.ndarray | None:
     """Weight of every cell, (n_cells,) float64; None if `ignitions` are points."""
     if ignitions is None:
         return network.burnable.ravel().astype(np.float64)
-    is_plane = hasattr(ignitions, "dims") or np.shape(ignitions) == network.shape
-    if not is_plane or isinstance(ignitions, (str, os.PathLike)):
+    is_plane = isinstance(ignitions, np.ndarray) and ignitions.shape == network.shape
+    if not (is_plane or hasattr(ignitions, "dims")):
         return None
     plane = np.nan_to_num(network.plane(ignitions, "the ignition raster").astype(np.float64), nan=0.0)
     if (plane < 0).any() or not np.isfinite(plane).all():
@@ -114,7 +115,12 @@ def _point_cells(network: SpreadNetwork, ignitions: Any) -> np.ndarray:
         points = read_points(ignitions, network.grid.crs)
         x, y = points.geometry.x.to_numpy(), points.geometry.y.to_numpy()
     else:
-        pairs = np.asarray(ignitions, dtype=np.float64)
+        try:
+            pairs = np.asarray(ignitions, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise ParameterError(
+                f"ignitions are {str(ignitions)[:80]!r}, expected (n, 2) coordinates, a raster or points"
+            ) from None
         if pairs.ndim == 1 and pairs.size == 2:
             pairs = pairs[None]
         if pairs.ndim != 2 or pairs.shape[1] != 2 or pairs.shape[0] == 0:

@@ -97,7 +97,7 @@ def read_config(path: str | os.PathLike[str]) -> dict[str, Any]:
 
 
 def plain(value: Any) -> Any:
-    """Turn paths, numpy numbers and tuples into JSON types."""
+    """Turn paths, numpy numbers and tuples into JSON types; a raster is named by its content."""
     if isinstance(value, Mapping):
         return {str(k): plain(v) for k, v in value.items()}
     if isinstance(value, (list, tuple)):
@@ -106,4 +106,8 @@ def plain(value: Any) -> Any:
         return os.fspath(value)
     if hasattr(value, "item") and getattr(value, "size", 1) == 1:
         return value.item()
+    if hasattr(value, "to_numpy") or hasattr(value, "tobytes"):
+        array = value.to_numpy() if hasattr(value, "to_numpy") else value
+        digest = hashlib.sha256(array.tobytes()).hexdigest()[:16]
+        return f"array {' x '.join(str(n) for n in array.shape)}, sha256 {digest}"
     return value

@@ -168,12 +168,12 @@ def _convert(value: Any, kind: Any, metadata: Mapping[str, Any]) -> Any:
         if type(None) in typing.get_args(kind):
             return None
         raise ValueError("got nothing, expected a value")
-    if metadata["raster"] and not isinstance(value, (str, int, float)):
+    if metadata["raster"] and np.ndim(value) > 0:
         return value
     if bool in options:
         return _to_bool(value)
-    if float in options or int in options:
-        return _to_number(value, whole=float not in options, metadata=metadata)
+    if metadata["raster"] or float in options or int in options:
+        return _to_number(value, whole=options == [int], metadata=metadata)
     text = str(value)
     if metadata["choices"] and text not in metadata["choices"]:
         raise ValueError(f"got {text!r}, expected one of {', '.join(metadata['choices'])}")

@@ -10,7 +10,7 @@ import numpy as np
 
 from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import UNREFERENCED, Grid, parse_crs
-from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
+from firebreak_gis.lattice import COL_STEP, DIRECTIONS, OPPOSITE, ROW_STEP
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -62,7 +62,7 @@ class SpreadNetwork:
         transform: Affine | None = None,
         provenance: dict[str, Any] | None = None,
     ) -> None:
-        grid = Grid.of(probability) if hasattr(probability, "dims") else None
+        grid = _grid_of(probability) if hasattr(probability, "dims") else None
         values = np.array(probability, dtype=np.float32, order="C")
         if values.ndim != 3 or values.shape[0] != 8 or 0 in values.shape:
             raise GridError(f"probability has shape {values.shape}, expected (8, rows, cols)")
@@ -149,12 +149,14 @@ class SpreadNetwork:
         GridError
             If it has another shape or, georeferenced, another grid.
         """
-        return self.plane(data, what) > 0
+        return np.asarray(self.plane(data, what) > 0)
 
     def plane(self, data: np.ndarray | xr.DataArray, what: str) -> np.ndarray:
         """Return `data` as a (rows, cols) array after checking that it lies on this grid."""
-        if hasattr(data, "dims") and self.grid.crs is not None:
-            self.grid.require(Grid.of(data), what)
+        if hasattr(data, "dims"):
+            grid = Grid.of(data)
+            if self.grid.crs is not None:
+                self.grid.require(grid, what)
         values = np.asarray(data)
         if values.shape != self.shape:
             raise GridError(f"{what} has shape {values.shape}, expected {self.shape}")
@@ -238,6 +240,18 @@ def neighbour(plane: np.ndarray, direction: int, boundary: Boundary = "open") ->
     return out
 
 
+def _grid_of(probability: Any) -> Grid:
+    """Grid of a (direction, y, x) array whose directions, if named, stand in the order of the lattice."""
+    if probability.ndim == 3 and probability.dims[0] in probability.coords:
+        order = tuple(str(name) for name in probability[probability.dims[0]].to_numpy())
+        if set(order) == set(DIRECTIONS) and order != DIRECTIONS:
+            raise GridError(
+                f"probability has its directions in the order {' '.join(order)}, expected "
+                f"{' '.join(DIRECTIONS)}; reorder them with probability.sel(direction=[...])"
+            )
+    return Grid.of(probability)
+
+
 def _close_boundary(values: np.ndarray) -> None:
     """Set the edges that leave an open grid to 0."""
     for d in range(8):
@@ -248,7 +262,7 @@ def _close_boundary(values: np.ndarray) -> None:
 
 
 def _has_edge(values: np.ndarray, boundary: Boundary) -> np.ndarray:
-    fuel = (values > 0).any(axis=0)
+    fuel: np.ndarray = np.any(values > 0, axis=0)
     for d in range(8):
         fuel |= neighbour((values[OPPOSITE[d]] > 0), d, boundary)
     return fuel

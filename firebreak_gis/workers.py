@@ -18,9 +18,11 @@ _LISTEN_EVERY = 0.2  # seconds
 def thread_count(threads: int | None) -> int:
     """Threads to use: as given, else FIREBREAK_THREADS, else the processors this process may use."""
     if threads is None:
-        given = os.environ.get("FIREBREAK_THREADS", "")
+        given = os.environ.get("FIREBREAK_THREADS", "").strip()
+        if given and not given.isdigit():
+            raise ParameterError(f"FIREBREAK_THREADS is {given!r}, expected a whole number of at least 1")
         affinity = getattr(os, "sched_getaffinity", None)
-        threads = int(given) if given.isdigit() else len(affinity(0)) if affinity else os.cpu_count() or 1
+        threads = int(given) if given else len(affinity(0)) if affinity else os.cpu_count() or 1
     if threads < 1:
         raise ParameterError(f"threads is {threads}, expected at least 1")
     return threads

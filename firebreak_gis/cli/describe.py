@@ -23,7 +23,7 @@ def command(ctx: click.Context, session: Session) -> None:
     What is absent is false or empty: a parameter without "flags" is an argument, one without "required" may
     be left out. "outputs" are the files that a command writes into its folder.
     """
-    group = ctx.find_root().command
+    group = ctx.parent.command if ctx.parent else None  # not the root: `rio firebreak describe`
     assert isinstance(group, click.Group)
     commands = {name: _command(name, group.get_command(ctx, name)) for name in group.list_commands(ctx)}
     found = {kind: [methods.describe(kind, name) for name in methods.names(kind)] for kind in methods.KINDS}

@@ -8,6 +8,7 @@ import os
 import pkgutil
 import sys
 import traceback
+from itertools import pairwise
 from typing import Any
 
 import click
@@ -16,9 +17,11 @@ import firebreak_gis
 from firebreak_gis.errors import Cancelled, FirebreakError, ResourceError
 
 #: Modules of this package that are not commands.
-_SUPPORT = {"group", "kinds", "layers", "options", "session"}
+_SUPPORT = {"group", "kinds", "layers", "options", "session", "stakes"}
 
 EXIT_BUG, EXIT_USAGE = 1, 2
+
+_AS_JSON = "firebreak_gis.as_json"
 
 
 class Commands(click.Group):
@@ -37,9 +40,15 @@ class Commands(click.Group):
         command = getattr(importlib.import_module(f"firebreak_gis.cli.{cmd_name}"), "command")  # noqa: B009
         return command if isinstance(command, click.Command) else None
 
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Note before anything can fail whether errors are wanted as JSON too."""
+        flags = {*args, *(f"{one}={other}" for one, other in pairwise(args))}
+        ctx.meta[_AS_JSON] = bool(flags & {"--json", "--progress=json"})
+        return super().parse_args(ctx, args)
+
     def invoke(self, ctx: click.Context) -> Any:
         """Run a command; on an error say it and exit with its code."""
-        as_json = "--json" in (*ctx.args, *ctx._protected_args)
+        as_json = ctx.meta[_AS_JSON]
         try:
             return super().invoke(ctx)
         except KeyboardInterrupt:

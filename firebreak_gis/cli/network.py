@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import click
 
 from firebreak_gis.cli import options
+from firebreak_gis.cli.layers import input_files
 from firebreak_gis.cli.session import Session
 
 
@@ -21,11 +23,14 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
     Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order
     N NE E SE S SW W NW.
     """
+    from firebreak_gis.files import require_writable
     from firebreak_gis.landscape import read_landscape_folder
     from firebreak_gis.manifest import provenance
     from firebreak_gis.rasters import write_raster
     from firebreak_gis.spread import spread_network
 
+    inputs = [*map(str, Path(folder).glob("*.tif")), *input_files(given)]
+    require_writable(output, overwrite=given["overwrite"], forbid=inputs)
     landscape = read_landscape_folder(folder)
     session.progress(0.2, "spread network")
     network = spread_network(landscape, model=given["model"], **options.spread_params(given))
@@ -36,6 +41,7 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
         network.to_raster(),
         overwrite=given["overwrite"],
         provenance=tags,
+        forbid=inputs,
         creation_options=options.pairs(given["creation_options"], "--co"),
     )
     session.finish(

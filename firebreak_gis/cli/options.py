@@ -20,8 +20,9 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 def _load_config(ctx: click.Context, _: click.Parameter, path: str | None) -> str | None:
     if path is not None:
+        names = {flag.lstrip("-"): p.name for p in ctx.command.params for flag in p.opts}
         given = {
-            key.replace("-", "_"): [f"{k}={v}" for k, v in value.items()]
+            str(names.get(key, key)).replace("-", "_"): [f"{k}={v}" for k, v in value.items()]
             if isinstance(value, Mapping)
             else value
             for key, value in read_config(path).items()
@@ -286,7 +287,7 @@ def budget(command: F) -> F:
     )(command)
 
 
-def _apply(options: list[Callable[[F], F]], command: F) -> F:
+def _apply(options: list[Callable[[Any], Any]], command: F) -> F:
     for option in reversed(options):
         command = option(command)
     return command
@@ -324,6 +325,23 @@ def methods_list(text: str) -> list[tuple[str, str, dict[str, str]]]:
             f"--methods got {text!r}, expected different names such as bonacich:beta=0.5,random"
         )
     return result
+
+
+def number_list(text: Any, option: str) -> list[float]:
+    """Split "0,0.05,0.1" into rising numbers.
+
+    Raises
+    ------
+    ParameterError
+        If a word is no number or there is none.
+    """
+    try:
+        numbers = sorted({float(word) for word in str(text).split(",") if word.strip()})
+    except ValueError:
+        numbers = []
+    if not numbers:
+        raise ParameterError(f"{option} got {text!r}, expected numbers such as 0,0.05,0.1")
+    return numbers
 
 
 def checked_seed(value: int) -> int:

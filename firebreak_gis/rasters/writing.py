@@ -51,7 +51,8 @@ def write_raster(
     overwrite
         Whether an existing file may be replaced.
     provenance
-        Software, version, parameters hash, seed, ...; kept as tags, read back by `read_variable`.
+        Software, version, parameters hash, seed, ...; kept as tags, read back by `read_variable`. So is the
+        attribute `boundary` of `data`.
     creation_options
         More options of the GDAL driver COG, for example {"compress": "zstd"}.
     forbid
@@ -75,11 +76,12 @@ def write_raster(
     grid = Grid.of(data)
     values = _stored_values(data.to_numpy(), variable)
     planes = values if values.ndim == 3 else values[np.newaxis]
+    tags = {**(provenance or {}), **{key: data.attrs[key] for key in ("boundary",) if key in data.attrs}}
     options = {"blocksize": 256, **_lower(creation_options or {})}
     with replacing(
         path, overwrite=overwrite, forbid=forbid, verify=lambda part: _verify(part, planes, grid, variable)
     ) as part:
-        _write(part, planes, grid, variable, provenance or {}, options)
+        _write(part, planes, grid, variable, tags, options)
     place = Path(path)
     for suffix in SIDECARS:
         place.with_name(place.name + suffix).unlink(missing_ok=True)
@@ -253,13 +255,19 @@ def _write_style(place: Path, values: np.ndarray, variable: Variable, overwrite:
     style = place.with_suffix(".qml")
     if style.exists() and not overwrite:
         return  # the user's own
-    if not variable.classes:
-        inside = values[values != variable.nodata]
-        low, high = (float(inside.min()), float(inside.max())) if inside.size else (0.0, 1.0)
+    if variable.classes or (variable.minimum == 0 and variable.maximum == 1):
         # Shares keep 0 to 1, so that two maps beside each other have the same colours.
-        fixed = variable.minimum == 0 and variable.maximum == 1
-        text = qml(variable) if fixed else qml(variable, minimum=low, maximum=high)
-    else:
         text = qml(variable)
+    else:
+        low, high = _usual_range(values[values != variable.nodata])
+        text = qml(variable, minimum=low, maximum=high)
     require_writable(style, overwrite=True)
     write_text(style, text, overwrite=True)
+
+
+def _usual_range(inside: np.ndarray) -> tuple[float, float]:
+    """Range without the outermost 2 % on each side: few great values must not take all the colours."""
+    if inside.size == 0:
+        return 0.0, 1.0
+    low, high = (float(v) for v in np.percentile(inside, (2, 98)))
+    return (low, high) if low < high else (float(inside.min()), float(inside.max()))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from firebreak_gis.errors import OutputError
 from firebreak_gis.files import replacing
 from firebreak_gis.schema import VARIABLES
 
@@ -22,6 +23,12 @@ if TYPE_CHECKING:
 BREAK_COLOUR = "#1f4fd8"
 #: Colours of rankings in curves, in order of drawing; the baseline is grey.
 LINE_COLOURS = ("#d1495b", "#00798c", "#edae49", "#30638e", "#8d5a97", "#3b7a57", "#b5651d", "#c71585")
+#: What each format would store of the time and the program, left out.
+_DATES: dict[str, dict[str, None]] = {
+    "png": {"Software": None},
+    "svg": {"Date": None},
+    "pdf": {"CreationDate": None},
+}
 NO_FUEL = "#e4e4e4"
 WATER = "#c6dbe8"
 
@@ -42,17 +49,14 @@ def save(figure: Figure, path: str | os.PathLike[str], *, overwrite: bool = Fals
 
     target = Path(path)
     kind = target.suffix.lstrip(".").lower()
-    metadata: dict[str, Any] = {
-        "png": {"Software": None},
-        "svg": {"Date": None},
-        "pdf": {"CreationDate": None},
-    }[kind]
+    if kind not in _DATES:
+        raise OutputError(f"{target.name} has no known picture extension; expected .{', .'.join(_DATES)}")
     # A fixed salt makes the identifiers inside an SVG the same each time.
     with (
         mpl.rc_context({"svg.hashsalt": "firebreak_gis"}),
         replacing(target, overwrite=overwrite) as temporary,
     ):
-        figure.savefig(temporary, dpi=dpi, format=kind, metadata=metadata)
+        figure.savefig(temporary, dpi=dpi, format=kind, metadata=_DATES[kind])
     return target
 
 

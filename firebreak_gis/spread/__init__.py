@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from firebreak_gis.errors import ParameterError
+from firebreak_gis.errors import InputError
 from firebreak_gis.grid import Grid
 from firebreak_gis.methods import build_params, load
 from firebreak_gis.network import SpreadNetwork
@@ -48,7 +48,7 @@ def spread_network(landscape: xr.Dataset, *, model: str = "alexandridis", **para
     module = load("spread", model)
     values = build_params(module, params)
     if "burnable" not in landscape:
-        raise ParameterError("the landscape has no variable 'burnable'; make it with read_landscape")
+        raise InputError("the landscape has no variable 'burnable'; make it with read_landscape")
     grid = Grid.of(landscape["burnable"])
     return SpreadNetwork(
         module.probability(landscape, values),

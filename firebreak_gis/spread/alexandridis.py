@@ -13,9 +13,9 @@ Sources: Alexandridis, Vakalis, Siettos, Bafas 2008, doi 10.1016/j.amc.2008.06.0
 
 from __future__ import annotations
 
-import os
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,6 +25,7 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import AZIMUTH
 from firebreak_gis.methods import parameter
 from firebreak_gis.schema import validate
+from firebreak_gis.workers import thread_count
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -71,13 +72,18 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
     ------
     InputError
         If a variable is missing or out of range.
+    CRSError
+        If the grid is not in metres.
     GridError
         If a wind raster does not lie on the grid of the landscape.
+    ParameterError
+        If a wind raster has gaps or values out of range.
     """
     from firebreak_gis.kernels.spread import fill_probability
 
     validate(landscape, ("elevation", "vegetation", "density", "burnable"))
     grid = Grid.of(landscape["burnable"])
+    grid.require_metres("slopes")
     burnable = landscape["burnable"].to_numpy()
     elevation = landscape["elevation"].to_numpy().astype(np.float64)
     if not np.isfinite(elevation[burnable]).all():
@@ -90,7 +96,7 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
     wind = _wind_factor(grid, params)
     out = np.empty((8, *grid.shape), np.float32)
     periodic = landscape.attrs.get("boundary", "open") == "periodic"
-    n_bands = os.cpu_count() or 1
+    n_bands = thread_count(None)
     edges = np.linspace(0, grid.shape[0], n_bands + 1).astype(int)
     with ThreadPoolExecutor(n_bands) as pool:
         bands = [
@@ -107,7 +113,7 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
                 periodic,
                 out,
             )
-            for first, last in zip(edges[:-1], edges[1:], strict=True)
+            for first, last in pairwise(edges)
         ]
         for band in bands:
             band.result()
@@ -115,7 +121,7 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
 
 
 def _effect(landscape: xr.Dataset, name: str, effects: tuple[float, ...]) -> np.ndarray:
-    values = np.array(effects)[landscape[name].to_numpy()]
+    values: np.ndarray = np.array(effects)[landscape[name].to_numpy()]
     if f"{name}_effect" in landscape:
         given = landscape[f"{name}_effect"].to_numpy()
         values = np.where(np.isnan(given), values, given)
@@ -125,20 +131,29 @@ def _effect(landscape: xr.Dataset, name: str, effects: tuple[float, ...]) -> np.
 def _wind_factor(grid: Grid, params: Params) -> np.ndarray:
     """(8, 1, 1) for uniform wind, (8, rows, cols) for wind rasters; float64."""
     speed = _on_grid(grid, params.wind_speed, "wind_speed")
-    blows_to = np.radians(_on_grid(grid, params.wind_from_direction, "wind_from_direction") + 180.0)
-    if np.isnan(speed).any() or np.isnan(blows_to).any() or (speed < 0).any():
-        raise ParameterError("wind rasters must hold a speed of 0 or more and a direction in every cell")
+    blows_from = _on_grid(grid, params.wind_from_direction, "wind_from_direction")
+    blows_to = np.radians(blows_from + 180.0)
     azimuth = np.radians(np.array(AZIMUTH))[:, None, None]
-    exponent: np.ndarray = speed * (params.c1 + params.c2 * (np.cos(azimuth - blows_to) - 1.0))
-    return np.exp(exponent)
+    factor: np.ndarray = np.exp(speed * (params.c1 + params.c2 * (np.cos(azimuth - blows_to) - 1.0)))
+    return factor
 
 
 def _on_grid(grid: Grid, value: Any, name: str) -> np.ndarray:
-    if hasattr(value, "dims") and grid.crs is not None:
-        grid.require(Grid.of(value), name)
+    """(1, 1) of a number, (rows, cols) of a raster; float64."""
     array = np.asarray(value, dtype=np.float64)
     if array.ndim == 0:
         return array.reshape(1, 1)
+    if hasattr(value, "dims"):
+        own = Grid.of(value)
+        if grid.crs is not None:
+            grid.require(own, name)
     if array.shape != grid.shape:
         raise GridError(f"{name} has shape {array.shape}, expected a number or {grid.shape}")
+    limits = next(f.metadata for f in fields(Params) if f.name == name)
+    low, high = limits["minimum"], limits["maximum"]
+    if not ((array >= low) & (array <= high)).all():  # also catches NaN
+        raise ParameterError(
+            f"the raster {name} lies in [{np.nanmin(array):g}, {np.nanmax(array):g}] with "
+            f"{int(np.isnan(array).sum())} gaps, expected {low:g} to {high:g} {limits['units']} in every cell"
+        )
     return array

@@ -69,6 +69,7 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:  # noqa: A
             "the artificial model needs a variable 'emptiness' in [0, 1]; make one with "
             "spread.artificial.forest"
         )
+    Grid.of(landscape["emptiness"])  # refuses other dimensions
     fuel = 1.0 - landscape["emptiness"].to_numpy()
     if not (fuel.min() >= 0.0 and fuel.max() <= 1.0):
         raise InputError("emptiness must lie in [0, 1] without NaN")

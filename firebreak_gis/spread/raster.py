@@ -7,7 +7,7 @@ NE E SE S SW W NW. Cells that are nodata in all bands hold no fuel. Cost: one re
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -39,7 +39,8 @@ def read_network(path: str | Path) -> SpreadNetwork:
     ----------
     path
         Raster with bands N NE E SE S SW W NW, values in [0, 1]. Cells that are nodata in every band hold no
-        fuel; if the raster has no nodata cell, cells with no edge in or out hold none.
+        fuel. If the raster is not of this package and has no nodata cell, cells with no edge in or out hold
+        none.
 
     Raises
     ------
@@ -48,9 +49,10 @@ def read_network(path: str | Path) -> SpreadNetwork:
     """
     data = read_variable(path, "spread_probability")
     values, burnable = _split(data)
-    return SpreadNetwork(
-        data.copy(data=values), burnable=burnable, boundary=data.attrs.get("boundary", "open")
-    )
+    boundary = data.attrs.get("provenance", {}).get("boundary")
+    if boundary is None and burnable.all():
+        return SpreadNetwork(data.copy(data=values))
+    return SpreadNetwork(data.copy(data=values), burnable=burnable, boundary=boundary or "open")
 
 
 def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
@@ -64,8 +66,8 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
     return _split(data)[0]
 
 
-def _split(data: Any) -> tuple[np.ndarray, np.ndarray | None]:
+def _split(data: xr.DataArray) -> tuple[np.ndarray, np.ndarray]:
+    """Probabilities without gaps, and the cells that have one in any direction."""
     values = data.to_numpy()
     missing = np.isnan(values)
-    burnable = ~missing.all(axis=0) if missing.any() else None
-    return np.where(missing, np.float32(0.0), values), burnable
+    return np.where(missing, np.float32(0.0), values), ~missing.all(axis=0)
