@@ -56,6 +56,11 @@ def read_polygons(source: Any, crs: Any) -> gpd.GeoDataFrame:
     return _read(source, crs, "polygons", {"Polygon"}, explode=False)
 
 
+def read_features(source: Any, crs: Any) -> gpd.GeoDataFrame:
+    """Read lines and polygons together, reprojected to `crs`; as `read_points`."""
+    return _read(source, crs, "lines or polygons", {"LineString", "LinearRing", "Polygon"})
+
+
 def write_vector(
     path: str | os.PathLike[str],
     gdf: gpd.GeoDataFrame,
@@ -245,6 +250,8 @@ def _write_ogr(part: Path, gdf: gpd.GeoDataFrame, driver: str, layer: str) -> No
     if driver == "GeoJSON":
         gdf = gdf.to_crs("EPSG:4326")
         options |= {"RFC7946": "YES", "COORDINATE_PRECISION": 9}
+    if driver == "GPKG":
+        options["VERSION"] = "1.2"  # newer ones warn in the GDAL of older QGIS
     if driver == "FlatGeobuf":
         options["SPATIAL_INDEX"] = "NO"  # the index would reorder the features
     if gdf.empty and driver != "GeoJSON":

@@ -228,6 +228,18 @@ def test_untouched_cells_are_transparent():
     assert [e.get("alpha") for e in root.iter("paletteEntry")] == ["0", "255"]
 
 
+@pytest.mark.parametrize(
+    ("name", "share", "low", "high"), [("priority", 1000.0, 0.0, 1.0), ("burn_frequency", 1.0, 0.0, 1.0)]
+)
+def test_a_few_great_values_do_not_take_all_the_colours(tmp_path, name, share, low, high):
+    values = np.linspace(0, 1, ROWS * COLS, dtype="float32").reshape(ROWS, COLS)
+    values[0, :20] = share
+    rasters.write_raster(tmp_path / "a.tif", GRID.dataarray(values, name))
+    renderer = ET.fromstring((tmp_path / "a.qml").read_text().split("\n", 1)[1]).find("pipe/rasterrenderer")
+    assert float(renderer.get("classificationMin")) == pytest.approx(low, abs=0.03)
+    assert float(renderer.get("classificationMax")) == pytest.approx(high, abs=0.03)
+
+
 # Reading
 
 

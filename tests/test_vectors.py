@@ -42,6 +42,11 @@ def test_equal_data_give_equal_bytes(tmp_path, suffix):
     assert vectors.write_vector(tmp_path / "a" / f"breaks{suffix}", boxes()).read_bytes() == one
 
 
+def test_geopackages_are_of_the_version_that_all_read(tmp_path):
+    path = vectors.write_vector(tmp_path / "a.gpkg", boxes())
+    assert int.from_bytes(path.read_bytes()[60:64], "big") == 10_200  # "user_version" of the format
+
+
 def test_the_layer_is_named_after_the_file_or_as_asked(tmp_path):
     for layer, expected in ((None, "breaks"), ("zones", "zones")):
         path = vectors.write_vector(tmp_path / "breaks.gpkg", boxes(), layer=layer, overwrite=True)
