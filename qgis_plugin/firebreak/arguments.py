@@ -1,0 +1,89 @@
+"""From the values of a form to the arguments of the command line. Nothing here imports QGIS."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from .manifest import Field
+
+
+class ArgumentsError(ValueError):
+    """The values of a form do not go together; the text is meant for the user."""
+
+
+def command_arguments(
+    command: str, names: set[str], fields: Sequence[Field], values: Mapping[str, Any], extra: Mapping[str, str]
+) -> list[str]:
+    """Return the arguments of one command.
+
+    Parameters
+    ----------
+    command
+        Name of the command.
+    names
+        Its parameters; fields of others are passed over.
+    fields
+        Fields of the form, arguments in their order.
+    values
+        By field name; None or "" where nothing was given.
+    extra
+        More options (flag to value) and arguments (key "" only once).
+
+    Raises
+    ------
+    ArgumentsError
+        If one option got two different values.
+    """
+    _refuse_doubles(fields, values)
+    options: list[str] = []
+    positional: list[str] = []
+    for field in fields:
+        value = values.get(field.name)
+        if field.option.partition(":")[0] not in names or value is None or value in ("", ()):
+            continue
+        if field.method is not None:
+            chooser, method = field.method
+            if values.get(chooser.upper()) == method:
+                options += [field.flag, f"{field.option.partition(':')[2]}={_word(value)}"]
+        elif not field.flag:
+            positional.append(_word(value))
+        elif field.kind == "boolean":
+            options += [field.flag] if value else []
+        elif _is_overruled(field, fields, values):
+            continue
+        elif field.multiple:
+            for word in str(value).split(";"):
+                options += [field.flag, word.strip()] if word.strip() else []
+        elif field.kind == "extent":
+            options += [field.flag, *(_word(v) for v in value)]
+        elif field.kind == "choices":
+            options += [field.flag, ",".join(value)]
+        else:
+            options += [field.flag, _word(value)]
+    for flag, value in extra.items():
+        (positional if not flag else options).extend([value] if not flag else [flag, value])
+    return [command, *options, "--", *positional]
+
+
+def _word(value: Any) -> str:
+    return repr(value) if isinstance(value, float) else str(value)
+
+
+def _alternatives(field: Field, fields: Sequence[Field], values: Mapping[str, Any]) -> list[Field]:
+    """Other fields of the same option that were filled in."""
+    return [f for f in fields if f.option == field.option and f is not field and values.get(f.name) not in (None, "")]
+
+
+def _is_overruled(field: Field, fields: Sequence[Field], values: Mapping[str, Any]) -> bool:
+    """Tell whether the value is a mere default and an alternative, such as a file, was given."""
+    return field.default is not None and bool(_alternatives(field, fields, values))
+
+
+def _refuse_doubles(fields: Sequence[Field], values: Mapping[str, Any]) -> None:
+    for field in fields:
+        if values.get(field.name) in (None, "") or field.default is not None or field.method is not None:
+            continue
+        for other in _alternatives(field, fields, values):
+            if other.default is None:
+                raise ArgumentsError(f"Give either {field.name} or {other.name}, not both.")

@@ -1,0 +1,63 @@
+"""The Processing provider: all algorithms of the manifest."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsProcessingProvider
+from qgis.PyQt.QtCore import QCoreApplication
+from qgis.PyQt.QtGui import QIcon
+
+from .algorithm import FirebreakAlgorithm
+from .manifest import descriptions
+
+ICON = Path(__file__).parent / "icons" / "firebreak.svg"
+
+
+class FirebreakProvider(QgsProcessingProvider):
+    """Offers the commands of firebreak_gis in the toolbox, in models and in batch."""
+
+    def id(self) -> str:
+        """Return the identifier."""
+        return "firebreak"
+
+    def name(self) -> str:
+        """Return the title."""
+        return QCoreApplication.translate("Firebreak", "Firebreak")
+
+    def longName(self) -> str:  # noqa: N802 - this and the following are named by QGIS
+        """Return the title with a few words more."""
+        return QCoreApplication.translate("Firebreak", "Firebreak (plan forest fire breaks)")
+
+    def icon(self) -> QIcon:
+        """Return the picture in the toolbox."""
+        return QIcon(str(ICON))
+
+    def svgIconPath(self) -> str:  # noqa: N802
+        """Return the path of the picture."""
+        return str(ICON)
+
+    def loadAlgorithms(self) -> None:  # noqa: N802
+        """Add one algorithm a command."""
+        for description in descriptions():
+            self.addAlgorithm(FirebreakAlgorithm(description))
+
+    def supportedOutputRasterLayerExtensions(self) -> list[str]:  # noqa: N802
+        """Return the one raster format that the engine writes."""
+        return ["tif"]
+
+    def supportedOutputVectorLayerExtensions(self) -> list[str]:  # noqa: N802
+        """Return the one vector format that the forms offer."""
+        return ["gpkg"]
+
+    def defaultRasterFileExtension(self) -> str:  # noqa: N802
+        """Return the extension of temporary rasters."""
+        return "tif"
+
+    def defaultVectorFileExtension(self, hasGeometry: bool = True) -> str:  # noqa: N802, N803, ARG002
+        """Return the extension of temporary vectors."""
+        return "gpkg"
+
+    def supportsNonFileBasedOutput(self) -> bool:  # noqa: N802
+        """Outputs are files."""
+        return False

@@ -1,0 +1,62 @@
+"""What the engine wrote, put where the user wants it."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+from pathlib import Path
+from uuid import uuid4
+
+
+class DestinationError(OSError):
+    """A destination cannot be written; the text is meant for the user."""
+
+
+def deliver(file: Path, destination: Path) -> None:
+    """Copy a file, and the style beside it if it is a raster, to their destination; whole or not at all.
+
+    Raises
+    ------
+    DestinationError
+        If the destination cannot be written; what stood there is intact.
+    """
+    _place(file, destination)
+    style = file.with_suffix(".qml")
+    if file.suffix == ".tif" and style.is_file():
+        _place(style, destination.with_suffix(".qml"))
+
+
+def refuse_inputs(destinations: dict[str, str], inputs: list[str]) -> None:
+    """Refuse destinations that are inputs or the same file twice.
+
+    Raises
+    ------
+    DestinationError
+        Naming the destination.
+    """
+    taken = {_identity(path): "an input" for path in inputs}
+    for name, path in destinations.items():
+        other = taken.get(_identity(path))
+        if other:
+            raise DestinationError(f"{name} would overwrite {other}: {path}. Choose another file.")
+        taken[_identity(path)] = name
+
+
+def _identity(path: str) -> str:
+    return os.path.normcase(os.path.realpath(path))
+
+
+def _place(file: Path, destination: Path) -> None:
+    part = destination.with_name(f".{destination.stem[:40]}-{uuid4().hex}.part")
+    try:
+        destination.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(file, part)
+        part.replace(destination)
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            part.unlink()
+        reason = error.strerror or error
+        raise DestinationError(
+            f"{destination} cannot be written ({reason}). If it is open in QGIS or elsewhere, close it there first."
+        ) from error

@@ -1,0 +1,58 @@
+"""Words that QGIS shows."""
+
+from __future__ import annotations
+
+from configparser import ConfigParser
+from functools import lru_cache
+from html import escape
+from pathlib import Path, PurePath
+
+from qgis.PyQt.QtCore import QCoreApplication
+
+from .manifest import Description, Field
+
+_PICTURES = Path(__file__).with_name("pictures")
+_FILTERS = {".csv": "CSV", ".png": "PNG", ".svg": "SVG", ".html": "HTML", ".json": "JSON"}
+
+
+def translated(text: str) -> str:
+    """Return a text of the manifest or the table of forms in the user's language."""
+    return QCoreApplication.translate("Firebreak", text) if text else ""
+
+
+@lru_cache(maxsize=1)
+def homepage() -> str:
+    """Return the address of the project, from the plugin's metadata."""
+    metadata = ConfigParser(interpolation=None)
+    metadata.read(Path(__file__).with_name("metadata.txt"), encoding="utf-8")
+    return metadata.get("general", "homepage", fallback="")
+
+
+def file_filter(file: str) -> str:
+    """Return the filter of a file dialog for files like this one."""
+    suffix = PurePath(file).suffix
+    return f"{_FILTERS.get(suffix, suffix[1:].upper())} (*{suffix})"
+
+
+def help_page(description: Description) -> str:
+    """Return the help of an algorithm as HTML: what it does, a picture, its parameters and methods."""
+    parts = [f"<p>{escape(translated(text))}</p>" for text in description.text.split("\n\n")]
+    picture = _PICTURES / f"{description.form.name}.png"
+    if picture.is_file():
+        parts.append(f'<p><img src="{picture.as_uri()}"></p>')
+    heading = QCoreApplication.translate("Firebreak", "Parameters")
+    parts.append(f"<h3>{escape(heading)}</h3>")
+    parts += [_entry(field) for field in description.fields if field.help and not field.method]
+    if description.methods:
+        parts.append(f"<h3>{escape(QCoreApplication.translate('Firebreak', 'Methods'))}</h3>")
+        parts += [f"<p><b>{escape(m['name'])}</b>: {escape(translated(m['summary']))}</p>" for m in description.methods]
+    if description.outputs:
+        parts.append(f"<h3>{escape(QCoreApplication.translate('Firebreak', 'Outputs'))}</h3>")
+        parts += [f"<p><b>{output.name}</b>: {escape(translated(output.label))}</p>" for output in description.outputs]
+    return "\n".join(parts)
+
+
+def _entry(field: Field) -> str:
+    bounds = [f"{word} {value:g}" for word, value in (("from", field.low), ("to", field.high)) if value is not None]
+    tail = f" ({' '.join(bounds)})" if bounds else ""
+    return f"<p><b>{escape(translated(field.label))}</b>{tail}: {escape(translated(field.help))}</p>"
