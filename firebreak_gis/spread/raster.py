@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.errors import ParameterError
+from firebreak_gis.errors import CRSError, ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.methods import parameter
 from firebreak_gis.network import SpreadNetwork
@@ -45,11 +45,17 @@ def read_network(path: str | Path) -> SpreadNetwork:
     Raises
     ------
     InputError
-        If the file cannot be read, has other than eight bands or values outside [0, 1].
+        If the file cannot be read, has other than eight bands or values outside [0, 1]; `CRSError` if it has no
+        CRS, unless this package wrote it (an artificial forest).
     """
-    data = read_variable(path, "spread_probability")
+    data = read_variable(path, "spread_probability", unreferenced=True)
     values, burnable = _split(data)
     boundary = data.attrs.get("provenance", {}).get("boundary")
+    if boundary is None and Grid.of(data).crs is None:
+        raise CRSError(
+            f"{path} has no coordinate reference system; assign the one it was made in, e.g. "
+            "gdal_edit.py -a_srs EPSG:32635 FILE"
+        )
     if boundary is None and burnable.all():
         return SpreadNetwork(data.copy(data=values))
     return SpreadNetwork(data.copy(data=values), burnable=burnable, boundary=boundary or "open")
