@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -14,6 +14,9 @@ from firebreak_gis.schema import annotate
 if TYPE_CHECKING:
     import geopandas as gpd
     import xarray as xr
+
+#: What a budget counts: a share of the fuel, hectares, or money.
+BudgetUnit = Literal["share", "ha", "cost"]
 
 
 def removal_order(priority: np.ndarray | xr.DataArray) -> np.ndarray:
@@ -63,46 +66,86 @@ def cells_to_cut(budget: float, n_burnable: int) -> int:
 
 
 def select_breaks(
-    priority: xr.DataArray | np.ndarray, *, budget: float, burnable: np.ndarray | xr.DataArray | None = None
+    priority: xr.DataArray | np.ndarray,
+    *,
+    budget: float,
+    unit: BudgetUnit = "share",
+    burnable: np.ndarray | xr.DataArray | None = None,
+    cost: np.ndarray | xr.DataArray | None = None,
 ) -> xr.DataArray:
-    """Cut the first cells of a ranking.
+    """Cut the first cells of a ranking, as many as a budget buys.
 
     Parameters
     ----------
     priority
-        (y, x), higher is cut earlier, -inf or NaN is never cut.
+        (y, x), higher is cut earlier, -inf or NaN is never cut. Ties are cut by row, then column.
     budget
-        d_f: share of the cells that hold fuel, from 0 to 1. Exactly round(d_f N_v) cells are cut; ties are
-        cut by row, then column.
+        In the given unit.
+    unit
+        `"share"`: d_f, a share from 0 to 1 of the cells that hold fuel; exactly round(d_f N_v) cells are cut.
+        `"ha"`: hectares; the cells that fit into them. `"cost"`: in the unit of `cost`; the longest beginning of
+        the ranking that costs no more.
     burnable
         (y, x) cells that hold fuel, which make N_v. Default: the cells that can be cut.
+    cost
+        (y, x) cost of cutting each cell, for the unit `"cost"`.
 
     Returns
     -------
     xarray.DataArray
-        `breaks` (y, x) uint8: 1 where cut.
+        `breaks` (y, x) uint8: 1 where cut; attributes `budget`, `unit` and `cells_cut`.
 
     Raises
     ------
     ParameterError
-        If the budget is not a share, or is more than can be cut.
+        If the budget is impossible, or is more than can be cut.
     GridError
-        If `priority` or `burnable` has other dimensions or shapes.
+        If `priority`, `burnable` or `cost` have other dimensions or shapes.
     """
     position = removal_order(priority)
-    n_candidates = int(np.count_nonzero(position >= 0))
-    if burnable is not None and np.shape(burnable) != position.shape:
-        raise GridError(f"burnable has shape {np.shape(burnable)}, expected {position.shape}")
-    n_burnable = n_candidates if burnable is None else int(np.count_nonzero(np.asarray(burnable)))
-    count = cells_to_cut(budget, n_burnable)
-    if count > n_candidates:
-        raise ParameterError(
-            f"a budget of {budget:g} is {count} cells, but only {n_candidates} cells can be cut; "
-            f"lower the budget to {n_candidates / max(n_burnable, 1):.4g} or protect less"
-        )
     grid = Grid.of(priority) if hasattr(priority, "dims") else Grid((position.shape[0], position.shape[1]))
+    n_candidates = int(np.count_nonzero(position >= 0))
+    for name, plane in (("burnable", burnable), ("cost", cost)):
+        if plane is not None and np.shape(plane) != position.shape:
+            raise GridError(f"{name} has shape {np.shape(plane)}, expected {position.shape}")
+    if unit == "cost":
+        count = _affordable(position, cost, budget)
+    else:
+        n_burnable = n_candidates if burnable is None else int(np.count_nonzero(np.asarray(burnable)))
+        count = cells_to_cut(budget, n_burnable) if unit == "share" else _fitting(grid, budget, unit)
+        if count > n_candidates:
+            most = n_candidates / max(n_burnable, 1) if unit == "share" else n_candidates * grid.cell_area_ha
+            raise ParameterError(
+                f"a budget of {budget:g} ({unit}) is {count} cells, but only {n_candidates} cells can be cut; "
+                f"lower the budget to {most:.4g} or protect less"
+            )
     mask = ((position >= 0) & (position < count)).astype(np.uint8)
-    return annotate(grid.dataarray(mask, "breaks")).assign_attrs(budget=float(budget), cells_cut=count)
+    return annotate(grid.dataarray(mask, "breaks")).assign_attrs(
+        budget=float(budget), unit=unit, cells_cut=count
+    )
+
+
+def _fitting(grid: Grid, hectares: float, unit: str) -> int:
+    """Cells that fit into so many hectares."""
+    if unit != "ha":
+        raise ParameterError(f"the unit of the budget is {unit!r}, expected share, ha or cost")
+    if not (math.isfinite(hectares) and hectares >= 0.0):
+        raise ParameterError(f"budget is {hectares} ha, expected a number of at least 0")
+    # A whole number of cells must not be lost to rounding.
+    return math.floor(hectares / grid.cell_area_ha + 1e-9)
+
+
+def _affordable(position: np.ndarray, cost: np.ndarray | xr.DataArray | None, budget: float) -> int:
+    """Length of the longest beginning of the ranking that costs no more than the budget."""
+    if cost is None:
+        raise ParameterError("a budget in cost needs the cost of every cell")
+    if not (math.isfinite(budget) and budget >= 0.0):
+        raise ParameterError(f"budget is {budget}, expected a number of at least 0")
+    candidates = np.flatnonzero(position.ravel() >= 0)
+    order = np.empty(candidates.size, dtype=np.int64)
+    order[position.ravel()[candidates]] = candidates
+    spent = np.cumsum(np.asarray(cost, dtype=np.float64).ravel()[order])
+    return int(np.searchsorted(spent, budget * (1.0 + 1e-12), side="right"))
 
 
 def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -> gpd.GeoDataFrame:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import break_polygons, select_breaks
+from firebreak_gis.breaks import BudgetUnit, break_polygons, cells_to_cut, removal_order, select_breaks
 from firebreak_gis.evaluation import evaluate, table
 from firebreak_gis.files import make_folder, require_writable, write_text
 from firebreak_gis.ignitions import IgnitionMode
@@ -19,6 +19,7 @@ from firebreak_gis.manifest import provenance, write_manifest
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
 from firebreak_gis.rasters import write_raster
+from firebreak_gis.setting import Setting, with_barriers
 from firebreak_gis.simulation import simulate
 from firebreak_gis.spread import spread_network
 from firebreak_gis.vectors import write_vector
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from firebreak_gis.network import SpreadNetwork
+
+    Plane = np.ndarray | xr.DataArray
 
 #: Rankings that every plan is judged against.
 BASELINES = ("random", "flammability")
@@ -43,7 +46,9 @@ class Plan:
     landscape
         `elevation`, `vegetation`, `density`, `burnable` (y, x).
     network
-        The spread network before cutting.
+        The spread network before cutting, existing barriers in it.
+    setting
+        Costs, protected cells, values at risk and ignitions.
     priority, breaks
         (y, x): the ranking, and 1 where cut.
     before, after
@@ -56,6 +61,7 @@ class Plan:
 
     landscape: xr.Dataset
     network: SpreadNetwork
+    setting: Setting
     priority: xr.DataArray
     breaks: xr.DataArray
     before: xr.Dataset
@@ -90,30 +96,42 @@ class Plan:
         n_burnable = self.network.n_burnable
         before, after = self.before["fire_size"].to_numpy(), self.after["fire_size"].to_numpy()
         area = self.network.grid.cell_area_ha
-        chosen = self.evaluation.sel(ranking=self.parameters["method"], budget=self.parameters["budget"])
-        return {
+        chosen = self.evaluation.sel(ranking=self.parameters["method"], budget=self.parameters["d_f"])
+        cut = self.breaks.to_numpy() > 0
+        figures: dict[str, Any] = {
             "burnable_cells": n_burnable,
             "burnable_ha": round(n_burnable * area, 4),
-            "cells_cut": int(self.breaks.attrs["cells_cut"]),
-            "ha_cut": round(int(self.breaks.attrs["cells_cut"]) * area, 4),
+            "cells_cut": int(np.count_nonzero(cut)),
+            "ha_cut": round(int(np.count_nonzero(cut)) * area, 4),
+            "cost": float(self.setting.cost[cut].sum()),
             "burnt_share_without_breaks": float(before.mean() / n_burnable),
             "burnt_share_with_breaks": float(after.mean() / n_burnable),
-            "burnt_share_with_breaks_p90": float(chosen["p90"]),
-            "burnt_share_with_breaks_max": float(chosen["max"]),
-            "p_value_against_random": None
-            if self.parameters["method"] == "random"
-            else float(chosen["p_value"]),
+            "burnt_share_with_breaks_p90": float(np.percentile(after, 90) / n_burnable),
+            "burnt_share_with_breaks_max": float(after.max() / n_burnable),
         }
+        if self.parameters["method"] != "random":
+            figures["p_value_against_random"] = float(chosen["p_value"])
+        if "value_lost" in self.before:
+            figures["value_lost_without_breaks"] = float(self.before["value_lost"].mean())
+            figures["value_lost_with_breaks"] = float(self.after["value_lost"].mean())
+        return figures
 
 
 def plan(
     landscape: xr.Dataset,
     *,
     budget: float = 0.1,
+    budget_unit: BudgetUnit = "share",
     method: str = "bonacich",
     method_params: Mapping[str, Any] | None = None,
     model: str = "alexandridis",
     model_params: Mapping[str, Any] | None = None,
+    barriers: Plane | None = None,
+    cost: Plane | None = None,
+    protected: Plane | None = None,
+    value: Plane | None = None,
+    ignition: Plane | None = None,
+    residual: float = 0.0,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
     n_runs: int = 100,
@@ -127,29 +145,38 @@ def plan(
     ----------
     landscape
         As `read_landscape` returns it.
-    budget
-        d_f: share of the cells that hold fuel to cut, from 0 to 1.
+    budget, budget_unit
+        How much to cut: a share d_f of the cells that hold fuel, hectares, or money (`cost`), see `select_breaks`.
     method, method_params
         Ranking and its parameters, see `rank`.
     model, model_params
         Spread model and its parameters (wind), see `spread_network`.
+    barriers
+        (y, x), above 0 on existing breaks, roads and rivers, see `setting.with_barriers`.
+    cost, protected, value, ignition
+        (y, x) cost of cutting each cell, where nothing may be cut, value at risk and where fires start, see
+        `setting.Setting`.
+    residual
+        Share of its spread probability that a treated cell keeps; 0 is a perfect break.
     ignitions, ignition_mode, n_runs, seed, threads, progress
         As in `simulate`.
 
     Returns
     -------
     Plan
-        Everything, from the network to the evaluation.
+        Everything, from the network to the evaluation, which takes breaks as perfect.
     """
     network = spread_network(landscape, model=model, **(model_params or {}))
+    if barriers is not None:
+        network = with_barriers(network, barriers)
+    setting = Setting(network, cost=cost, protected=protected, value=value, ignition=ignition)
     priority = rank(
-        network,
-        method,
-        seed=seed,
-        progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
+        network, method, setting=setting, seed=seed, progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
         **(method_params or {}),
+    )  # fmt: skip
+    breaks = select_breaks(
+        priority, budget=budget, unit=budget_unit, burnable=network.burnable, cost=setting.cost
     )
-    breaks = select_breaks(priority, budget=budget, burnable=network.burnable)
     fires: dict[str, Any] = {
         "ignitions": ignitions,
         "ignition_mode": ignition_mode,
@@ -157,30 +184,37 @@ def plan(
         "seed": seed,
         "threads": threads,
     }
-    before = simulate(network, progress=part(progress, 0.35, 0.5, "without breaks: "), **fires)
-    after = simulate(network, breaks=breaks, progress=part(progress, 0.5, 0.6, "with breaks: "), **fires)
-    priorities = {
-        method: priority,
-        **{name: rank(network, name, seed=seed) for name in BASELINES if name != method},
-    }
+    at_risk = None if value is None else setting.value
+    before = simulate(network, value=at_risk, progress=part(progress, 0.35, 0.5, "without breaks: "), **fires)
+    after = simulate(
+        network, breaks=breaks, residual=residual, value=at_risk,
+        progress=part(progress, 0.5, 0.6, "with breaks: "), **fires,
+    )  # fmt: skip
+    baselines = {name: rank(network, name, setting=setting, seed=seed) for name in BASELINES if name != method}
+    share = budget if budget_unit == "share" else breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
     evaluation = evaluate(
-        network,
-        priorities,
-        budgets=default_budgets(budget),
-        baseline="random",
-        progress=part(progress, 0.6, 1.0, "evaluate "),
-        **fires,
-    )
+        network, {method: priority, **baselines}, budgets=reachable(default_budgets(share), priority, network),
+        baseline="random", progress=part(progress, 0.6, 1.0, "evaluate "), **fires,
+    )  # fmt: skip
     parameters = {
         "budget": budget,
+        "budget_unit": budget_unit,
+        "d_f": share,
         "method": method,
         "method_params": dict(method_params or {}),
         "model": model,
         "model_params": dict(model_params or {}),
+        "residual": residual,
         "n_runs": n_runs,
         "seed": seed,
     }
-    return Plan(landscape, network, priority, breaks, before, after, evaluation, parameters)
+    return Plan(landscape, network, setting, priority, breaks, before, after, evaluation, parameters)
+
+
+def reachable(budgets: np.ndarray, priority: xr.DataArray, network: SpreadNetwork) -> np.ndarray:
+    """Those of the budgets that protected cells leave enough cells for."""
+    candidates = int(np.count_nonzero(removal_order(priority) >= 0))
+    return budgets[[cells_to_cut(float(b), network.n_burnable) <= candidates for b in budgets]]
 
 
 def default_budgets(*marked: float, n_levels: int = 41) -> np.ndarray:
@@ -280,7 +314,7 @@ def write_plan(
         result.after,
         result.evaluation,
         title=_headline(result),
-        budget=float(result.parameters["budget"]),
+        budget=float(result.parameters["d_f"]),
     )
     save(figure, target / "overview.png", overwrite=overwrite)
     written += [target / name for name in ("breaks.gpkg", "fire_sizes.csv", "evaluation.csv", "overview.png")]
@@ -309,7 +343,7 @@ def _headline(result: Plan) -> str:
     summary = result.summary
     return (
         f"Fire breaks by {result.parameters['method']}: "
-        f"{100 * result.parameters['budget']:g} % of the fuel cut ({summary['ha_cut']:,.0f} ha), "
+        f"{100 * result.parameters['d_f']:.3g} % of the fuel cut ({summary['ha_cut']:,.0f} ha), "
         f"mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % "
         f"\N{RIGHTWARDS ARROW} {100 * summary['burnt_share_with_breaks']:.1f} %"
     )

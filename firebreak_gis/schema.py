@@ -94,6 +94,7 @@ _VARIABLES = (
     Variable("burn_frequency", ("y", "x"), "float32", "1", "share of runs in which the cell burns", 0.0, 1.0,
              -9999.0, colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
     Variable("fire_size", ("run",), "int64", "1", "cells burnt in the run", 0),
+    Variable("value_lost", ("run",), "float64", "1", "value lost in the run, in the unit of the values at risk", 0.0),
 )
 # fmt: on
 

@@ -33,6 +33,7 @@ def simulate(
     *,
     breaks: np.ndarray | xr.DataArray | None = None,
     residual: float = 0.0,
+    value: np.ndarray | xr.DataArray | None = None,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
     n_runs: int = 100,
@@ -51,6 +52,8 @@ def simulate(
         cell burns nothing.
     residual
         Share of its spread probability that a treated cell keeps; 0 is a perfect break.
+    value
+        (y, x) value lost when the cell burns; then the result holds `value_lost`.
     ignitions, ignition_mode
         See `firebreak_gis.ignitions.resolve_ignitions`; default: one random cell with fuel a run.
     n_runs
@@ -93,18 +96,21 @@ def simulate(
     grid_steps = steps(network.shape, periodic=network.boundary == "periodic")
     counts = np.zeros(network.burnable.size, np.uint32)
     sizes = np.zeros(n_runs, np.int64)
+    worth = np.zeros(0) if value is None else network.plane(value, "value").astype(np.float64).ravel()
+    lost = np.zeros(n_runs)
     adding = threading.Lock()
 
     def burn(piece: tuple[int, int]) -> None:
         own = np.zeros_like(counts)
-        burn_runs(limits, keys, grid_steps, start.starts, cells, piece[0], piece[1], own, sizes)
+        burn_runs(limits, keys, grid_steps, start.starts, cells, piece[0], piece[1], own, sizes, worth, lost)
         with adding:
             np.add(counts, own, out=counts)
 
     run_pieces(
         burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning"
     )
-    return _burns(network, counts.reshape(network.shape), sizes, seed)
+    burns = _burns(network, counts.reshape(network.shape), sizes, seed)
+    return burns if value is None else burns.assign(value_lost=annotate(_by_run(lost, "value_lost")))
 
 
 def burn_curve(
@@ -208,7 +214,13 @@ def _burns(network: SpreadNetwork, counts: np.ndarray, sizes: np.ndarray, seed: 
         {
             "burn_count": annotate(network.grid.dataarray(counts, "burn_count")),
             "burn_frequency": annotate(network.grid.dataarray(frequency, "burn_frequency")),
-            "fire_size": annotate(xr.DataArray(sizes, dims="run", name="fire_size")),
+            "fire_size": annotate(_by_run(sizes, "fire_size")),
         },
         attrs={"n_runs": n_runs, "seed": seed, "n_burnable": network.n_burnable},
     )
+
+
+def _by_run(values: np.ndarray, name: str) -> xr.DataArray:
+    import xarray as xr
+
+    return xr.DataArray(values, dims="run", name=name)

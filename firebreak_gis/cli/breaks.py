@@ -14,6 +14,7 @@ from firebreak_gis.cli.session import Session
 @click.argument("priority", type=kinds.RASTER)
 @options.output_file("Mask GeoTIFF")
 @options.budget
+@click.option("--cost", type=kinds.RASTER, metavar="RASTER", help="Cost per hectare, for --budget-unit cost.")
 @click.option(
     "--polygons",
     type=kinds.NEW_VECTOR,
@@ -22,10 +23,15 @@ from firebreak_gis.cli.session import Session
 )
 @options.common
 def command(session: Session, priority: str, output: str, polygons: str | None, **given: Any) -> None:
-    """Cut the first cells of PRIORITY: exactly round(budget x cells with fuel), ties by row, then column."""
+    """Cut the first cells of PRIORITY.
+
+    A share cuts exactly round(budget x cells that can be cut); ties are cut by row, then column.
+    """
     from firebreak_gis.breaks import break_polygons, select_breaks
     from firebreak_gis.files import require_writable
+    from firebreak_gis.grid import Grid
     from firebreak_gis.manifest import provenance
+    from firebreak_gis.planes import value_plane
     from firebreak_gis.rasters import read_variable, write_raster
     from firebreak_gis.vectors import write_vector
 
@@ -33,12 +39,16 @@ def command(session: Session, priority: str, output: str, polygons: str | None, 
     for name in files:
         require_writable(name, overwrite=given["overwrite"], forbid=[priority])
     ranking = read_variable(priority, "priority")
-    breaks = select_breaks(ranking, budget=given["budget"])
+    cost = None
+    if given["cost"]:
+        grid = Grid.of(ranking)
+        cost = value_plane(given["cost"], grid, what="cost") * grid.cell_area_ha
+    breaks = select_breaks(ranking, budget=given["budget"], unit=given["budget_unit"], cost=cost)
     write_raster(
         output,
         breaks,
         overwrite=given["overwrite"],
-        provenance=provenance({"budget": given["budget"]}),
+        provenance=provenance({"budget": given["budget"], "unit": given["budget_unit"]}),
         creation_options=options.pairs(given["creation_options"], "--co"),
     )
     if polygons:

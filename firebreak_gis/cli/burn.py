@@ -18,6 +18,7 @@ from firebreak_gis.cli.session import Session
     "--breaks", "mask", type=kinds.RASTER, metavar="RASTER", help="Mask of cut cells (firebreak breaks)."
 )
 @click.option("--sizes", type=kinds.NEW_TABLE, metavar="FILE", help="Also write the fire sizes as CSV.")
+@options.residual
 @options.fires
 @options.seed
 @options.common
@@ -46,11 +47,12 @@ def command(
     burns = simulate(
         spread,
         breaks=read_variable(mask, "breaks") if mask else None,
+        residual=given["residual"],
         seed=seed,
         progress=part(session.progress, 0.05, 0.95),
         **fires,
     )
-    tags = provenance({**fires, "breaks": mask is not None}, seed=seed)
+    tags = provenance({**fires, "breaks": mask is not None, "residual": given["residual"]}, seed=seed)
     write_raster(
         output,
         burns["burn_frequency"],

@@ -9,7 +9,6 @@ import click
 
 from firebreak_gis.cli import kinds, options
 from firebreak_gis.cli.session import Session
-from firebreak_gis.errors import ParameterError
 
 #: What the command writes into its folder.
 OUTPUTS = {
@@ -80,7 +79,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     files = [target / name for name in ("evaluation.csv", "evaluation.png", "evaluation.svg")]
     for name in (*files, target / "run.json"):
         require_writable(name, overwrite=given["overwrite"], forbid=inputs)
-    budgets = _budgets(given["budgets"]) if given["budgets"] else default_budgets()
+    budgets = options.number_list(given["budgets"], "--budgets") if given["budgets"] else default_budgets()
     spread = read_network(network)
     priorities = {}
     for i, (label, method, params) in enumerate(methods):
@@ -120,10 +119,3 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     session.finish(
         {"files": files}, f"{len(priorities)} rankings at {len(budgets)} budgets; written to {output}"
     )
-
-
-def _budgets(text: str) -> list[float]:
-    try:
-        return sorted({float(word) for word in str(text).split(",") if word.strip()})
-    except ValueError:
-        raise ParameterError(f"--budgets got {text!r}, expected shares such as 0,0.05,0.1") from None

@@ -277,13 +277,34 @@ def seed(command: F) -> F:
 
 
 def budget(command: F) -> F:
-    """--budget."""
+    """--budget and --budget-unit."""
+    options = [
+        click.option(
+            "--budget",
+            type=float,
+            default=0.1,
+            show_default=True,
+            help="How much to cut; by default a share of the cells that hold fuel, 0 to 1 (14 % is 0.14).",
+        ),
+        click.option(
+            "--budget-unit",
+            type=click.Choice(["share", "ha", "cost"]),
+            default="share",
+            show_default=True,
+            help="What --budget counts: a share of the fuel, hectares, or money (with --cost).",
+        ),
+    ]
+    return _apply(options, command)
+
+
+def residual(command: F) -> F:
+    """--residual."""
     return click.option(
-        "--budget",
+        "--residual",
         type=float,
-        default=0.1,
+        default=0.0,
         show_default=True,
-        help="Share of the cells that hold fuel to cut, 0 to 1 (14 % is 0.14).",
+        help="Share of its spread probability that a treated cell keeps; 0 is a perfect break, real ones leak.",
     )(command)
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import options
+from firebreak_gis.cli import options, stakes
 from firebreak_gis.cli.layers import input_files, read_layers, recorded
 from firebreak_gis.cli.session import Session
 
@@ -32,6 +32,8 @@ OUTPUTS = {
 @options.output_folder
 @options.budget
 @options.ranking
+@options.residual
+@stakes.stakes
 @options.fires
 @options.seed
 @options.spread
@@ -44,6 +46,7 @@ def command(session: Session, **given: Any) -> None:
     be a raster, one of the words sparse, normal, dense, or left out if the legend gives the density.
     """
     from firebreak_gis.files import make_folder, require_writable
+    from firebreak_gis.grid import Grid
     from firebreak_gis.pipeline import PLAN_FILES, plan, write_plan
     from firebreak_gis.progress import part
 
@@ -53,7 +56,7 @@ def command(session: Session, **given: Any) -> None:
         "model_params": options.pairs(given["model_params"], "--model-param"),
     }
     options.checked_seed(given["seed"])
-    inputs = input_files(given)
+    inputs = [*input_files(given), *stakes.stake_files(given)]
     target = make_folder(given["output"])
     for name in PLAN_FILES:
         require_writable(target / name, overwrite=given["overwrite"], forbid=inputs)
@@ -61,6 +64,9 @@ def command(session: Session, **given: Any) -> None:
     result = plan(
         landscape,
         budget=given["budget"],
+        budget_unit=given["budget_unit"],
+        residual=given["residual"],
+        **stakes.read_stakes(Grid.of(landscape["burnable"]), given, landscape=landscape),
         method=given["method"],
         method_params=parameters["method_params"],
         model=given["model"],

@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli import kinds, options, stakes
 from firebreak_gis.cli.session import Session
 
 
@@ -14,6 +14,7 @@ from firebreak_gis.cli.session import Session
 @click.argument("network", type=kinds.RASTER)
 @options.output_file("Priority GeoTIFF")
 @options.ranking
+@stakes.stakes
 @options.seed
 @options.common
 def command(session: Session, network: str, output: str, **given: Any) -> None:
@@ -25,12 +26,15 @@ def command(session: Session, network: str, output: str, **given: Any) -> None:
     from firebreak_gis.rasters import write_raster
     from firebreak_gis.spread.raster import read_network
 
-    require_writable(output, overwrite=given["overwrite"], forbid=[network])
+    inputs = [network, *stakes.stake_files(given)]
+    require_writable(output, overwrite=given["overwrite"], forbid=inputs)
     seed = options.checked_seed(given["seed"])
     params = options.pairs(given["method_params"], "--param")
+    spread, setting = stakes.network_and_setting(read_network(network), given)
     priority = rank(
-        read_network(network),
+        spread,
         given["method"],
+        setting=setting,
         seed=seed,
         progress=part(session.progress, 0.05, 0.9),
         **params,
@@ -39,7 +43,7 @@ def command(session: Session, network: str, output: str, **given: Any) -> None:
         output,
         priority,
         overwrite=given["overwrite"],
-        forbid=[network],
+        forbid=inputs,
         provenance=provenance({"method": given["method"], "method_params": params}, seed=seed),
         creation_options=options.pairs(given["creation_options"], "--co"),
     )

@@ -69,7 +69,8 @@ def steps(shape: tuple[int, int], *, periodic: bool) -> Steps:
 @kernel
 def burn_runs(
     thresholds: Thresholds, keys: np.ndarray, steps: Steps, starts: np.ndarray,
-    cells: np.ndarray, first: int, last: int, counts: np.ndarray, sizes: np.ndarray,
+    cells: np.ndarray, first: int, last: int, counts: np.ndarray, sizes: np.ndarray, value: np.ndarray,
+    lost: np.ndarray,
 ) -> None:
     """Burn runs `first` .. `last - 1` one after another.
 
@@ -79,6 +80,10 @@ def burn_runs(
         (n_cells,) uint32, increased by one for each run in which the cell burns.
     sizes
         (n_runs,) int64, set to the cells burnt.
+    value
+        (n_cells,) float64 lost when the cell burns; empty if nothing is to be added up.
+    lost
+        (n_runs,) float64, set to the sum over the burnt cells, added in the order in which they burn.
     """
     n_cells = thresholds.top.shape[0]
     stamp = np.zeros(n_cells, np.uint8)
@@ -114,6 +119,11 @@ def burn_runs(
                 tail += np.uint64(stamp[target] != mark)
                 stamp[target] = mark
         sizes[run] = tail
+        if value.size > 0:
+            total = 0.0
+            for i in range(tail):
+                total += value[queue[i]]
+            lost[run] = total
 
 
 @kernel

@@ -1,0 +1,114 @@
+"""Options of what a planner adds to the network: costs, protected and allowed areas, barriers, values at risk."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+import numpy as np
+
+from firebreak_gis.cli import kinds
+from firebreak_gis.errors import ParameterError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from firebreak_gis.grid import Grid
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.setting import Setting
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+_SOURCES = ("cost", "protected", "allowed", "barriers", "values")
+
+
+def stakes(command: F) -> F:
+    """--cost, --protected, --allowed, --barriers, --values and their fields."""
+    options = [
+        click.option("--cost", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Cost of cutting per hectare: a raster, polygons with --cost-field, or "
+                     "(firebreak plan only) classes such as agricultural=500,shrubs=900,pines=1500."),
+        click.option("--cost-field", metavar="NAME", help="Column of the cost polygons."),
+        click.option("--protected", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Area (raster or polygons) where nothing may be cut."),
+        click.option("--allowed", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Area (raster or polygons) outside of which nothing may be cut."),
+        click.option("--barriers", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Existing breaks, roads, rivers (raster, lines or polygons): they "
+                     "hold no fuel and cost nothing."),
+        click.option("--values", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Values at risk per cell (raster), or polygons with --values-field, "
+                     "whose number counts for each cell inside [default: 1 everywhere]."),
+        click.option("--values-field", metavar="NAME", help="Column of the value polygons."),
+    ]  # fmt: skip
+    for option in reversed(options):
+        command = option(command)
+    return command
+
+
+def stake_files(given: Mapping[str, Any]) -> list[str]:
+    """Files that these options name."""
+    return [str(given[key]) for key in _SOURCES if given.get(key) and Path(str(given[key])).is_file()]
+
+
+def read_stakes(grid: Grid, given: Mapping[str, Any], *, landscape: xr.Dataset | None = None) -> dict[str, np.ndarray]:
+    """Read what the options name onto a grid: `barriers`, `protected`, `cost` (per cell), `value`, `ignition`.
+
+    Parameters
+    ----------
+    grid
+        The grid of the network.
+    given
+        Options of the command.
+    landscape
+        Needed for costs by vegetation class.
+    """
+    from firebreak_gis.planes import VECTORS, mask_plane, value_plane
+
+    planes: dict[str, np.ndarray] = {}
+    if given["barriers"]:
+        planes["barriers"] = mask_plane(given["barriers"], grid, what="barriers")
+    if given["protected"]:
+        planes["protected"] = mask_plane(given["protected"], grid, what="protected")
+    if given["allowed"]:
+        outside = ~mask_plane(given["allowed"], grid, what="allowed")
+        planes["protected"] = planes.get("protected", np.False_) | outside
+    if given["cost"]:
+        planes["cost"] = _cost(given["cost"], given["cost_field"], grid, landscape)
+    if given["values"]:
+        planes["value"] = value_plane(given["values"], grid, what="values", field=given["values_field"])
+    ignitions = given.get("ignitions")
+    if ignitions and Path(ignitions).suffix.lower() not in VECTORS:
+        planes["ignition"] = value_plane(ignitions, grid, what="ignitions")
+    return planes
+
+
+def network_and_setting(network: SpreadNetwork, given: Mapping[str, Any]) -> tuple[SpreadNetwork, Setting]:
+    """Put the barriers into the network and the rest into a `Setting`."""
+    from firebreak_gis.setting import Setting, with_barriers
+
+    planes = read_stakes(network.grid, given)
+    barriers = planes.pop("barriers", None)
+    if barriers is not None:
+        network = with_barriers(network, barriers)
+    return network, Setting(network, **planes)
+
+
+def _cost(source: str, field: str | None, grid: Grid, landscape: xr.Dataset | None) -> np.ndarray:
+    """Cost of cutting each cell, from costs per hectare."""
+    from firebreak_gis.planes import value_plane
+    from firebreak_gis.schema import VEGETATION
+
+    if "=" not in source:
+        return value_plane(source, grid, what="cost", field=field) * grid.cell_area_ha
+    if landscape is None:
+        raise ParameterError("costs by class need the vegetation; use firebreak plan, or give a raster")
+    rates = np.zeros(256)
+    codes = {name: code for code, name in VEGETATION.items() if code}
+    for word in source.split(","):
+        name, _, number = word.partition("=")
+        try:
+            rates[codes[name.strip()]] = float(number)
+        except (KeyError, ValueError):
+            raise ParameterError(f"--cost got {word!r}, expected CLASS=NUMBER with a class of {', '.join(codes)}") from None
+    missing = [name for name, code in codes.items() if f"{name}=" not in source.replace(" ", "")]
+    if missing:
+        raise ParameterError(f"--cost names no rate for {', '.join(missing)}")
+    return rates[landscape["vegetation"].to_numpy()] * grid.cell_area_ha
