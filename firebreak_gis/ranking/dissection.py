@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 class Params:
     """Parameters of the dissection."""
 
-    directions: int = parameter(6, text="directions in which walls are sought", minimum=1, maximum=64)
+    directions: int = parameter(8, text="directions in which walls are sought", minimum=1, maximum=64)
     smallest: int = parameter(16, text="compartments of fewer cells are not split", units="cells", minimum=2)
     width: int = parameter(1, text="width of the walls", units="cells", minimum=1, maximum=100)
 
