@@ -10,6 +10,14 @@ import click
 from firebreak_gis.cli import kinds, options, stakes
 from firebreak_gis.cli.session import Session
 
+#: What the command writes into its folder.
+OUTPUTS = {
+    "comparison.csv": "Every ranking at every budget and leak, with intervals",
+    "comparison.png": "Curves of the rankings",
+    "comparison.svg": "Curves of the rankings, to scale",
+    "run.json": "Account of the run",
+}
+
 
 @click.command("compare")
 @click.argument("network", type=kinds.RASTER)
