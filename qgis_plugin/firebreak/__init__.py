@@ -1,4 +1,4 @@
-"""Firebreak: plan forest fire breaks in the QGIS toolbox; the work is done by firebreak_gis in its own process."""
+"""Firebreak: plan forest fire breaks in the QGIS toolbox; firebreak_gis does the work, in its own process."""
 
 from __future__ import annotations
 

@@ -119,7 +119,11 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             feedback.pushInfo(f"firebreak_gis {engine.version} ({engine.origin})")
             wanted = self._destinations(parameters, context)
             values = FormValues(self, parameters, context, feedback, folder).read(self._description.fields)
-            layers = [str(values[f.name]) for f in self._description.fields if f.kind in ("raster", "vector", "file")]
+            layers = [
+                str(values[f.name])
+                for f in self._description.fields
+                if f.kind in ("raster", "vector", "file")
+            ]
             refuse_inputs(wanted, [path for path in layers if path != "None"])
             result = self._run(engine, values, wanted, folder, feedback)
             return self._deliver(result, wanted, folder / "out", context, feedback)
@@ -142,7 +146,11 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
         return found
 
     def _run(
-        self, engine: Engine, values: dict[str, Any], wanted: dict[str, str], folder: Path,
+        self,
+        engine: Engine,
+        values: dict[str, Any],
+        wanted: dict[str, str],
+        folder: Path,
         feedback: QgsProcessingFeedback,
     ) -> dict[str, Any]:
         form, fields, target = self._description.form, self._description.fields, folder / "out"
@@ -168,7 +176,11 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
         return self._description.outputs[0]
 
     def _deliver(
-        self, result: dict[str, Any], wanted: dict[str, str], made: Path, context: QgsProcessingContext,
+        self,
+        result: dict[str, Any],
+        wanted: dict[str, str],
+        made: Path,
+        context: QgsProcessingContext,
         feedback: QgsProcessingFeedback,
     ) -> dict[str, Any]:
         _tell(result, made, feedback)
@@ -178,7 +190,9 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             if path is None:
                 continue
             if not (made / output.file).is_file():
-                message = QCoreApplication.translate("Firebreak", "{} was not made: there is nothing to put in it.")
+                message = QCoreApplication.translate(
+                    "Firebreak", "{} was not made: there is nothing to put in it."
+                )
                 feedback.pushWarning(message.format(output.name))
                 continue
             deliver(made / output.file, Path(path))
@@ -212,7 +226,8 @@ def _tell(result: dict[str, Any], made: Path, feedback: QgsProcessingFeedback) -
         feedback.pushInfo(str(line))
     for key, value in result.items():
         if isinstance(value, (int, float, str)) and not isinstance(value, bool):
-            feedback.pushInfo(f"{key.replace('_', ' ')}: {value:g}" if isinstance(value, float) else f"{key}: {value}")
+            shown = f"{value:g}" if isinstance(value, float) else value
+            feedback.pushInfo(f"{key.replace('_', ' ')}: {shown}")
 
 
 def _shown(word: str) -> str:

@@ -13,7 +13,11 @@ class ArgumentsError(ValueError):
 
 
 def command_arguments(
-    command: str, names: set[str], fields: Sequence[Field], values: Mapping[str, Any], extra: Mapping[str, str]
+    command: str,
+    names: set[str],
+    fields: Sequence[Field],
+    values: Mapping[str, Any],
+    extra: Mapping[str, str],
 ) -> list[str]:
     """Return the arguments of one command.
 
@@ -72,7 +76,11 @@ def _word(value: Any) -> str:
 
 def _alternatives(field: Field, fields: Sequence[Field], values: Mapping[str, Any]) -> list[Field]:
     """Other fields of the same option that were filled in."""
-    return [f for f in fields if f.option == field.option and f is not field and values.get(f.name) not in (None, "")]
+    return [
+        f
+        for f in fields
+        if f.option == field.option and f is not field and values.get(f.name) not in (None, "")
+    ]
 
 
 def _is_overruled(field: Field, fields: Sequence[Field], values: Mapping[str, Any]) -> bool:

@@ -56,28 +56,87 @@ _CUT = {"cells_cut": "Cells cut", "ha_cut": "Area cut in hectares"}
 
 #: All algorithms, in the order of the work; those whose command the manifest lacks are left out.
 FORMS = (
-    Form("align", "Align landscape", "prepare", _LAYERS,
-         ("OUTPUT_ELEVATION", "OUTPUT_VEGETATION", "OUTPUT_DENSITY"), tags=("reproject", "legend", "corine")),
-    Form("network", "Spread network", "prepare", (*_LAYERS, "model", *_WIND), ("OUTPUT_NETWORK",),
-         {"burnable_cells": "Cells with fuel"}, before="align", tags=("wind", "slope", "probability")),
-    Form("rank", "Rank cells", "plan", ("network", "method", "seed"), ("OUTPUT_PRIORITY",),
-         tags=("centrality", "bonacich", "betweenness", "priority")),
-    Form("breaks", "Select fire breaks", "plan", ("priority", "budget"), ("OUTPUT_BREAKS", "OUTPUT_BREAK_POLYGONS"),
-         {"cells_cut": "Cells cut"}, tags=("fuel break", "mask")),
-    Form("plan", "Plan fire breaks", "plan", (*_LAYERS, "budget", "method", *_WIND, *_FIRES),
-         ("OUTPUT_BREAKS", "OUTPUT_FREQUENCY", "OUTPUT_FREQUENCY_WITH_BREAKS", "OUTPUT_OVERVIEW", "OUTPUT_REPORT"),
-         {**_CUT, **_SHARES}, tags=("fuel break", "wildfire", "centrality")),
-    Form("burn", "Burn frequency", "fire", ("network", "mask", *_FIRES), ("OUTPUT_FREQUENCY",),
-         {"mean_burnt_share": "Mean burnt share", "max_burnt_share": "Largest burnt share"},
-         tags=("simulation", "cellular automaton", "ignition")),
-    Form("evaluate", "Evaluate", "judge", ("network", "method_list", "baseline", *_FIRES),
-         ("OUTPUT_EVALUATION", "OUTPUT_FIGURE", "OUTPUT_REPORT"), tags=("statistics", "wilcoxon", "curve")),
-    Form("compare", "Compare", "judge", ("network", *_LAYERS, "method_list", "budgets", *_FIRES),
-         ("OUTPUT_COMPARISON", "OUTPUT_FIGURE", "OUTPUT_REPORT"), tags=("statistics", "leak", "budget")),
+    Form(
+        "align",
+        "Align landscape",
+        "prepare",
+        _LAYERS,
+        ("OUTPUT_ELEVATION", "OUTPUT_VEGETATION", "OUTPUT_DENSITY"),
+        tags=("reproject", "legend", "corine"),
+    ),
+    Form(
+        "network",
+        "Spread network",
+        "prepare",
+        (*_LAYERS, "model", *_WIND),
+        ("OUTPUT_NETWORK",),
+        {"burnable_cells": "Cells with fuel"},
+        before="align",
+        tags=("wind", "slope", "probability"),
+    ),
+    Form(
+        "rank",
+        "Rank cells",
+        "plan",
+        ("network", "method", "seed"),
+        ("OUTPUT_PRIORITY",),
+        tags=("centrality", "bonacich", "betweenness", "priority"),
+    ),
+    Form(
+        "breaks",
+        "Select fire breaks",
+        "plan",
+        ("priority", "budget"),
+        ("OUTPUT_BREAKS", "OUTPUT_BREAK_POLYGONS"),
+        {"cells_cut": "Cells cut"},
+        tags=("fuel break", "mask"),
+    ),
+    Form(
+        "plan",
+        "Plan fire breaks",
+        "plan",
+        (*_LAYERS, "budget", "method", *_WIND, *_FIRES),
+        (
+            "OUTPUT_BREAKS",
+            "OUTPUT_FREQUENCY",
+            "OUTPUT_FREQUENCY_WITH_BREAKS",
+            "OUTPUT_OVERVIEW",
+            "OUTPUT_REPORT",
+        ),
+        {**_CUT, **_SHARES},
+        tags=("fuel break", "wildfire", "centrality"),
+    ),
+    Form(
+        "burn",
+        "Burn frequency",
+        "fire",
+        ("network", "mask", *_FIRES),
+        ("OUTPUT_FREQUENCY",),
+        {"mean_burnt_share": "Mean burnt share", "max_burnt_share": "Largest burnt share"},
+        tags=("simulation", "cellular automaton", "ignition"),
+    ),
+    Form(
+        "evaluate",
+        "Evaluate",
+        "judge",
+        ("network", "method_list", "baseline", *_FIRES),
+        ("OUTPUT_EVALUATION", "OUTPUT_FIGURE", "OUTPUT_REPORT"),
+        tags=("statistics", "wilcoxon", "curve"),
+    ),
+    Form(
+        "compare",
+        "Compare",
+        "judge",
+        ("network", *_LAYERS, "method_list", "budgets", *_FIRES),
+        ("OUTPUT_COMPARISON", "OUTPUT_FIGURE", "OUTPUT_REPORT"),
+        tags=("statistics", "leak", "budget"),
+    ),
 )
 
 #: Options that the plugin sets itself or that mean nothing in a form.
-HIDDEN = frozenset({"output", "overwrite", "as_json", "progress_mode", "verbose", "quiet", "dry_run", "folder", "config"})
+HIDDEN = frozenset(
+    {"output", "overwrite", "as_json", "progress_mode", "verbose", "quiet", "dry_run", "folder", "config"}
+)
 
 #: Parameter names that do not follow from the option or file.
 RENAMED: Mapping[str, str] = {
@@ -114,7 +173,17 @@ LABELS: Mapping[str, str] = {
     "network": "Spread network",
     "priority": "Cutting priority",
     "mask": "Fire breaks",
-    "budget": "Budget (share of the fuel to cut)",
+    "budget": "Budget (by default a share of the fuel)",
+    "budget_unit": "Unit of the budget",
+    "residual": "Share of the spread that a break lets through",
+    "residuals": "Shares that breaks let through, separated by commas",
+    "cost": "Cost of cutting per hectare",
+    "cost_field": "Field with the cost",
+    "protected": "Area where nothing may be cut",
+    "allowed": "Area outside of which nothing may be cut",
+    "barriers": "Existing barriers",
+    "values": "Values at risk",
+    "values_field": "Field with the value",
     "method": "Ranking",
     "method_list": "Rankings",
     "baseline": "Ranking to test against",
@@ -144,7 +213,8 @@ LABELS: Mapping[str, str] = {
 
 #: Ranges of numbers, None where open; the engine checks them again.
 RANGES: Mapping[str, tuple[float | None, float | None]] = {
-    "budget": (0.0, 1.0),
+    "budget": (0.0, None),
+    "residual": (0.0, 1.0),
     "alpha": (0.0, 1.0),
     "n_runs": (1, None),
     "seed": (0, None),
@@ -157,11 +227,22 @@ RANGES: Mapping[str, tuple[float | None, float | None]] = {
 SET_BY_OPTION = frozenset({"wind_speed", "wind_from_direction"})
 
 #: Which option takes the parameters of the method that another option chooses, and the kind of method.
-METHOD_OPTIONS: Mapping[str, tuple[str, str]] = {"method_params": ("method", "ranking"), "model_params": ("model", "spread")}
+METHOD_OPTIONS: Mapping[str, tuple[str, str]] = {
+    "method_params": ("method", "ranking"),
+    "model_params": ("model", "spread"),
+}
 
 #: Outputs from the top of the map to its bottom.
 DRAWING_ORDER = (
-    "OUTPUT_BREAK_POLYGONS", "OUTPUT_BREAKS", "OUTPUT_FREQUENCY_WITH_BREAKS", "OUTPUT_FREQUENCY", "OUTPUT_PRIORITY",
-    "OUTPUT_NETWORK", "OUTPUT_DENSITY_EFFECT", "OUTPUT_VEGETATION_EFFECT", "OUTPUT_DENSITY", "OUTPUT_VEGETATION",
+    "OUTPUT_BREAK_POLYGONS",
+    "OUTPUT_BREAKS",
+    "OUTPUT_FREQUENCY_WITH_BREAKS",
+    "OUTPUT_FREQUENCY",
+    "OUTPUT_PRIORITY",
+    "OUTPUT_NETWORK",
+    "OUTPUT_DENSITY_EFFECT",
+    "OUTPUT_VEGETATION_EFFECT",
+    "OUTPUT_DENSITY",
+    "OUTPUT_VEGETATION",
     "OUTPUT_ELEVATION",
 )

@@ -37,8 +37,12 @@ class FormValues:
     """
 
     def __init__(
-        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext,
-        feedback: QgsProcessingFeedback, folder: Path,
+        self,
+        algorithm: QgsProcessingAlgorithm,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        folder: Path,
     ) -> None:
         self._algorithm = algorithm
         self._parameters = parameters
@@ -65,7 +69,7 @@ class FormValues:
         return self._exported(layer, field)
 
     def _exported(self, layer: QgsRasterLayer, field: Field) -> str:
-        """Write a layer that is no file, or whose CRS was set in QGIS, as a GeoTIFF with unchanged cell values."""
+        """Write a layer that is no file, or whose CRS was set in QGIS, as a GeoTIFF of the same values."""
         if not layer.crs().isValid() and layer.providerType() == "gdal":
             return layer.source()
         path = str(self._folder / f"{field.name.lower()}.tif")
@@ -73,9 +77,12 @@ class FormValues:
         writer.setOutputFormat("GTiff")
         pipe.set(layer.dataProvider().clone())
         failure = writer.writeRaster(
-            pipe, layer.width(), layer.height(), layer.extent(), layer.crs(), self._context.transformContext())
+            pipe, layer.width(), layer.height(), layer.extent(), layer.crs(), self._context.transformContext()
+        )
         if failure != QgsRasterFileWriter.WriterError.NoError:
-            message = QCoreApplication.translate("Firebreak", "The layer {} cannot be read as cells of a raster.")
+            message = QCoreApplication.translate(
+                "Firebreak", "The layer {} cannot be read as cells of a raster."
+            )
             raise QgsProcessingException(message.format(layer.name()))
         return path
 
@@ -86,7 +93,8 @@ class FormValues:
         if source is None:
             raise QgsProcessingException(self._algorithm.invalidSourceError(self._parameters, field.name))
         return self._algorithm.parameterAsCompatibleSourceLayerPath(
-            self._parameters, field.name, self._context, _VECTOR_FORMATS, "gpkg", self._feedback)
+            self._parameters, field.name, self._context, _VECTOR_FORMATS, "gpkg", self._feedback
+        )
 
     def _file(self, field: Field) -> str | None:
         return self._algorithm.parameterAsFile(self._parameters, field.name, self._context) or None
@@ -102,8 +110,11 @@ class FormValues:
             return None
         crs = self._algorithm.parameterAsCrs(self._parameters, "CRS", self._context)
         if not crs.isValid():
-            raise QgsProcessingException(QCoreApplication.translate(
-                "Firebreak", "An extent needs the CRS of the grid; choose it beside the extent (CRS)."))
+            raise QgsProcessingException(
+                QCoreApplication.translate(
+                    "Firebreak", "An extent needs the CRS of the grid; choose it beside the extent (CRS)."
+                )
+            )
         box = self._algorithm.parameterAsExtent(self._parameters, field.name, self._context, crs)
         if box.isNull() or box.isEmpty():
             return None
@@ -127,6 +138,11 @@ class FormValues:
 
     def _choices(self, field: Field) -> list[str]:
         return self._algorithm.parameterAsEnumStrings(self._parameters, field.name, self._context)
+
+    def _field(self, field: Field) -> str | None:
+        return next(
+            iter(self._algorithm.parameterAsFields(self._parameters, field.name, self._context)), None
+        )
 
     def _text(self, field: Field) -> str | None:
         return self._algorithm.parameterAsString(self._parameters, field.name, self._context).strip() or None

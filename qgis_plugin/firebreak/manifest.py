@@ -19,8 +19,19 @@ FILE = Path(__file__).with_name("manifest.json")
 
 #: Fields for layers are named INPUT_..., those for files written OUTPUT_...
 _LAYER_KINDS = ("raster", "vector")
-_PLAIN_KINDS = {"text": "text", "integer": "integer", "float": "number", "number": "number", "boolean": "boolean",
-                "choice": "choice", "choices": "choices", "crs": "crs", "file": "file", "path": "file"}
+_FIELD = "_field"  # how options end that name a column of the layer of another option
+_PLAIN_KINDS = {
+    "text": "text",
+    "integer": "integer",
+    "float": "number",
+    "number": "number",
+    "boolean": "boolean",
+    "choice": "choice",
+    "choices": "choices",
+    "crs": "crs",
+    "file": "file",
+    "path": "file",
+}
 _OUTPUT_KINDS = {".tif": "raster", ".gpkg": "vector"}
 
 
@@ -33,7 +44,8 @@ class Field:
     name
         Of the QGIS parameter.
     kind
-        `raster`, `vector`, `file`, `crs`, `extent`, `number`, `integer`, `boolean`, `choice`, `choices` or `text`.
+        `raster`, `vector`, `field`, `file`, `crs`, `extent`, `number`, `integer`, `boolean`, `choice`,
+        `choices` or `text`.
     label, help
         Texts.
     option
@@ -44,6 +56,8 @@ class Field:
         As in the manifest and the table of forms.
     default, choices, low, high
         As far as they are known.
+    parent
+        Of a `field`: the parameter of its layer.
     method
         The method (and the option that chooses it) that has to be chosen for this value to count.
     """
@@ -61,6 +75,7 @@ class Field:
     choices: tuple[str, ...] = ()
     low: float | None = None
     high: float | None = None
+    parent: str = ""
     method: tuple[str, str] | None = None
 
 
@@ -115,7 +130,8 @@ def descriptions() -> tuple[Description, ...]:
     document = _document()
     commands = document["commands"]
     return tuple(
-        _description(form, document) for form in forms.FORMS
+        _description(form, document)
+        for form in forms.FORMS
         if form.name in commands and (form.before is None or form.before in commands)
     )
 
@@ -131,47 +147,74 @@ def _description(form: forms.Form, document: dict[str, Any]) -> Description:
         if option["name"] in forms.METHOD_OPTIONS:
             fields += _method_fields(option, document)
         elif option["name"] not in forms.HIDDEN and not option["type"].startswith("new-"):
-            fields += _fields(option, form)
+            fields += _fields(option, form, _either(document))
     order = {name: place for place, name in enumerate(form.main)}
     fields.sort(key=lambda f: (f.advanced, f.method is not None, order.get(f.option, len(order))))
-    kinds = {kind for option, kind in forms.METHOD_OPTIONS.values() if any(f.option == option for f in fields)}
+    kinds = {
+        kind for option, kind in forms.METHOD_OPTIONS.values() if any(f.option == option for f in fields)
+    }
     if any(f.kind == "choices" for f in fields):
         kinds.add("ranking")
     return Description(
-        form, command["help"], tuple(fields), tuple(_outputs(form, command)), "outputs" in command,
-        tuple(method for kind in sorted(kinds) for method in document["methods"][kind]))
+        form,
+        command["help"],
+        tuple(fields),
+        tuple(_outputs(form, command)),
+        any(o["name"] == "output" and o["type"] == "directory" for o in command["parameters"]),
+        tuple(method for kind in sorted(kinds) for method in document["methods"][kind]),
+    )
 
 
-def _fields(option: dict[str, Any], form: forms.Form) -> Iterator[Field]:
+def _either(document: dict[str, Any]) -> set[str]:
+    """Return the options that some command takes as vector or raster; their rasters have names of their own."""
+    options = [option for command in document["commands"].values() for option in command["parameters"]]
+    return {option["name"] for option in options if option["type"].startswith("vector|raster")}
+
+
+def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Iterator[Field]:
     """Yield one field a kind; the usual kind comes first and carries the default, the others are advanced."""
     kinds = ["extent"] if option.get("count") == 4 else option["type"].split("|")
+    parent = ""
+    if option["name"].endswith(_FIELD):
+        kinds, parent = ["field"], _name(option["name"][: -len(_FIELD)], "vector")
     for place, word in enumerate(kinds):
         kind = _kind(word)
-        name, label = _name(option["name"], kind), _label(option["name"])
+        label = _label(option["name"])
         low, high = forms.RANGES.get(option["name"], (None, None))
         default = option.get("default") if place == 0 else None
         if place > 0:
-            name = name if kind not in ("file", "raster") else f"{_name(option['name'], kinds[0])}_{kind.upper()}"
-            name = name if kind != "raster" or name.startswith("INPUT_") else f"INPUT_{name}"
             label = f"{label}, as {_ARTICLES.get(kind, 'a ' + kind)}"
         if kind in ("number", "integer") and default is not None:
             default = float(default) if kind == "number" else int(default)
         yield Field(
-            name, kind, label, option.get("help", ""), option["name"], (option.get("flags") or [""])[-1],
+            _name(option["name"], kind, second=place > 0 or option["name"] in either),
+            kind,
+            label,
+            option.get("help", ""),
+            option["name"],
+            (option.get("flags") or [""])[-1],
             required=bool(option.get("required")) and len(kinds) == 1,
             advanced=place > 0 or option["name"] not in form.main,
-            multiple=bool(option.get("multiple")), default=default, low=low, high=high,
-            choices=tuple(option.get("choices", ())) if kind in ("choice", "choices") else ())
+            parent=parent,
+            multiple=bool(option.get("multiple")),
+            default=default,
+            low=low,
+            high=high,
+            choices=tuple(option.get("choices", ())) if kind in ("choice", "choices") else (),
+        )
 
 
-_ARTICLES = {"choice": "one class for all fuel", "file": "a CSV file"}
+_ARTICLES = {"choice": "one class for all fuel", "file": "a CSV file", "text": "words"}
 
 
 def _kind(word: str) -> str:
-    return word if word in (*_LAYER_KINDS, "extent") else _PLAIN_KINDS.get(word, "text")
+    return word if word in (*_LAYER_KINDS, "extent", "field") else _PLAIN_KINDS.get(word, "text")
 
 
-def _name(option: str, kind: str) -> str:
+def _name(option: str, kind: str, *, second: bool = False) -> str:
+    """Return the name of a parameter; `second` tells that the plain name belongs to another kind."""
+    if second and kind in ("raster", "file"):
+        return f"INPUT_{option.upper()}_RASTER" if kind == "raster" else f"{option.upper()}_FILE"
     if option in forms.RENAMED:
         return forms.RENAMED[option]
     return f"INPUT_{option.upper()}" if kind in _LAYER_KINDS else option.upper()
@@ -195,10 +238,18 @@ def _method_fields(option: dict[str, Any], document: dict[str, Any]) -> Iterator
             units = "" if parameter.get("units", "1") == "1" else f" [{parameter['units']}]"
             name = f"{method['name']}_{parameter['name']}".upper()
             yield Field(
-                f"INPUT_{name}" if is_path else name, words, f"{method['name']}: {parameter['name']}{units}",
-                f"{parameter['text']} (counts for {method['name']} only)", f"{option['name']}:{parameter['name']}",
-                option["flags"][-1], default=None if is_path else parameter.get("default"), choices=choices,
-                low=parameter.get("minimum"), high=parameter.get("maximum"), method=(chooser, method["name"]))
+                f"INPUT_{name}" if is_path else name,
+                words,
+                f"{method['name']}: {parameter['name']}{units}",
+                f"{parameter['text']} (counts for {method['name']} only)",
+                f"{option['name']}:{parameter['name']}",
+                option["flags"][-1],
+                default=None if is_path else parameter.get("default"),
+                choices=choices,
+                low=parameter.get("minimum"),
+                high=parameter.get("maximum"),
+                method=(chooser, method["name"]),
+            )
 
 
 def _outputs(form: forms.Form, command: dict[str, Any]) -> Iterator[Output]:
@@ -211,7 +262,9 @@ def _outputs(form: forms.Form, command: dict[str, Any]) -> Iterator[Output]:
     for option in command["parameters"]:
         if option["type"] in suffixes and option["name"] != "output":
             file = option["name"] + suffixes[option["type"]]
-            yield _output(form, file, _label(option["name"]), forms.RENAMED.get(option["name"]), option["flags"][-1])
+            yield _output(
+                form, file, _label(option["name"]), forms.RENAMED.get(option["name"]), option["flags"][-1]
+            )
 
 
 def _output(form: forms.Form, file: str, label: str, name: str | None = None, flag: str = "") -> Output:

@@ -74,7 +74,9 @@ class OptionsPage(QgsOptionsPageWidget):
         form = QFormLayout(group)
         self._engine = QgsFileWidget()
         self._engine.setFilePath(settings.engine_setting())
-        self._engine.setDialogTitle(translate("Firebreak", "Python with firebreak_gis, or the firebreak program"))
+        self._engine.setDialogTitle(
+            translate("Firebreak", "Python with firebreak_gis, or the firebreak program")
+        )
         self._engine.lineEdit().setPlaceholderText(translate("Firebreak", "empty: found by itself"))
         form.addRow(translate("Firebreak", "Python or program"), self._engine)
         check = QPushButton(translate("Firebreak", "Check"))
@@ -88,14 +90,20 @@ class OptionsPage(QgsOptionsPageWidget):
         translate = QCoreApplication.translate
         group = QGroupBox(translate("Firebreak", "Make an engine"))
         form = QFormLayout(group)
-        text = QLabel(translate(
-            "Firebreak", "Makes a Python environment in your QGIS profile and installs firebreak_gis into it from the "
-            "package index, about 600 MB. The Python of QGIS is left alone. Nothing is installed until you press "
-            "the button."))
+        text = QLabel(
+            translate(
+                "Firebreak",
+                "Makes a Python environment in your QGIS profile and installs firebreak_gis into it, from "
+                "the package index, about 600 MB. The Python of QGIS is left alone. Nothing is "
+                "installed until you press the button.",
+            )
+        )
         text.setWordWrap(True)
         form.addRow(text)
         self._base = QgsFileWidget()
-        self._base.lineEdit().setPlaceholderText(translate("Firebreak", "empty: the newest of 3.11 to 3.13 found"))
+        self._base.lineEdit().setPlaceholderText(
+            translate("Firebreak", "empty: the newest of 3.11 to 3.13 found")
+        )
         form.addRow(translate("Firebreak", "Python to make it from"), self._base)
         self._package = QLineEdit(settings.package_setting(""))
         self._package.setPlaceholderText(PACKAGE)
@@ -136,7 +144,8 @@ class OptionsPage(QgsOptionsPageWidget):
         base = self._base.filePath().strip()
         self._log.clear()
         self._task = MakeEngineTask(
-            settings.made_folder(), Path(base) if base else None, settings.package_setting(PACKAGE))
+            settings.made_folder(), Path(base) if base else None, settings.package_setting(PACKAGE)
+        )
         self._task.said.connect(self._log.appendPlainText)
         self._task.progressChanged.connect(lambda percent: self._bar.setValue(int(percent)))
         self._task.ended.connect(self._ended)

@@ -12,6 +12,7 @@ from qgis.core import (
     QgsProcessingParameterEnum,
     QgsProcessingParameterExtent,
     QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
     QgsProcessingParameterFile,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterNumber,
@@ -33,13 +34,19 @@ def input_parameter(field: Field) -> QgsProcessingParameterDefinition:
     make: dict[str, Any] = {
         "raster": lambda: QgsProcessingParameterRasterLayer(field.name, label, optional=optional),
         "vector": lambda: QgsProcessingParameterFeatureSource(
-            field.name, label, [QgsProcessing.SourceType.TypeVectorAnyGeometry], optional=optional),
+            field.name, label, [QgsProcessing.SourceType.TypeVectorAnyGeometry], optional=optional
+        ),
+        "field": lambda: QgsProcessingParameterField(
+            field.name, label, parentLayerParameterName=field.parent, optional=optional
+        ),
         "file": lambda: QgsProcessingParameterFile(field.name, label, optional=optional),
         "crs": lambda: QgsProcessingParameterCrs(field.name, label, optional=optional),
         "extent": lambda: QgsProcessingParameterExtent(field.name, label, optional=optional),
         "number": lambda: _number(field, label, QgsProcessingParameterNumber.Type.Double),
         "integer": lambda: _number(field, label, QgsProcessingParameterNumber.Type.Integer),
-        "boolean": lambda: QgsProcessingParameterBoolean(field.name, label, bool(field.default), optional=optional),
+        "boolean": lambda: QgsProcessingParameterBoolean(
+            field.name, label, bool(field.default), optional=optional
+        ),
         "choice": lambda: _choice(field, label, several=False),
         "choices": lambda: _choice(field, label, several=True),
         "text": lambda: QgsProcessingParameterString(field.name, label, field.default, optional=optional),
@@ -56,18 +63,25 @@ def output_parameter(output: Output) -> QgsProcessingParameterDefinition:
     label = translated(output.label)
     if output.kind == "raster":
         return QgsProcessingParameterRasterDestination(
-            output.name, label, optional=True, createByDefault=output.shown)
+            output.name, label, optional=True, createByDefault=output.shown
+        )
     if output.kind == "vector":
         return QgsProcessingParameterVectorDestination(
-            output.name, label, QgsProcessing.SourceType.TypeVectorPolygon, optional=True,
-            createByDefault=output.shown)
+            output.name,
+            label,
+            QgsProcessing.SourceType.TypeVectorPolygon,
+            optional=True,
+            createByDefault=output.shown,
+        )
     return QgsProcessingParameterFileDestination(
-        output.name, label, file_filter(output.file), optional=True, createByDefault=output.shown)
+        output.name, label, file_filter(output.file), optional=True, createByDefault=output.shown
+    )
 
 
 def _number(field: Field, label: str, kind: Any) -> QgsProcessingParameterNumber:
     parameter = QgsProcessingParameterNumber(
-        field.name, label, kind, field.default, optional=field.default is None)
+        field.name, label, kind, field.default, optional=field.default is None
+    )
     if field.low is not None:
         parameter.setMinimum(field.low)
     if field.high is not None:
@@ -78,8 +92,14 @@ def _number(field: Field, label: str, kind: Any) -> QgsProcessingParameterNumber
 
 
 def _choice(field: Field, label: str, *, several: bool) -> QgsProcessingParameterEnum:
-    """Return an enum whose values are the words themselves, so that scripts and models outlive new choices."""
+    """Return an enum whose values are the words themselves, so that models outlive new choices."""
     default = field.default.split(",") if several and field.default else field.default
     return QgsProcessingParameterEnum(
-        field.name, label, list(field.choices), allowMultiple=several, defaultValue=default,
-        optional=field.default is None, usesStaticStrings=True)
+        field.name,
+        label,
+        list(field.choices),
+        allowMultiple=several,
+        defaultValue=default,
+        optional=field.default is None,
+        usesStaticStrings=True,
+    )

@@ -54,7 +54,7 @@ class FirebreakProvider(QgsProcessingProvider):
         """Return the extension of temporary rasters."""
         return "tif"
 
-    def defaultVectorFileExtension(self, hasGeometry: bool = True) -> str:  # noqa: N802, N803, ARG002
+    def defaultVectorFileExtension(self, hasGeometry: bool = True) -> str:  # noqa: N802, ARG002
         """Return the extension of temporary vectors."""
         return "gpkg"
 

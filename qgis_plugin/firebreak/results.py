@@ -58,5 +58,5 @@ def _place(file: Path, destination: Path) -> None:
             part.unlink()
         reason = error.strerror or error
         raise DestinationError(
-            f"{destination} cannot be written ({reason}). If it is open in QGIS or elsewhere, close it there first."
+            f"{destination} cannot be written ({reason}). If it is open somewhere, close it there first."
         ) from error

@@ -41,7 +41,10 @@ class Styler(QgsProcessingLayerPostProcessorInterface):
         del _alive[:-_KEPT]
 
     def postProcessLayer(  # noqa: N802 - named by QGIS
-        self, layer: QgsMapLayer, context: QgsProcessingContext, feedback: QgsProcessingFeedback  # noqa: ARG002
+        self,
+        layer: QgsMapLayer,
+        context: QgsProcessingContext,  # noqa: ARG002
+        feedback: QgsProcessingFeedback,  # noqa: ARG002
     ) -> None:
         """Load the style that lies beside the layer, or the plugin's own."""
         beside = Path(layer.source().partition("|")[0]).with_suffix(".qml")
@@ -50,7 +53,9 @@ class Styler(QgsProcessingLayerPostProcessorInterface):
         if style is not None:
             layer.loadNamedStyle(str(style))
             layer.triggerRepaint()
-        layer.setCustomProperty(_RANK, DRAWING_ORDER.index(self._output) if self._output in DRAWING_ORDER else 99)
+        layer.setCustomProperty(
+            _RANK, DRAWING_ORDER.index(self._output) if self._output in DRAWING_ORDER else 99
+        )
         # The layers of one run arrive one by one; when all are there they are put in order.
         QTimer.singleShot(0, arrange)
 
@@ -66,7 +71,7 @@ def style_later(output: str, path: str, context: QgsProcessingContext) -> None:
 
 
 def arrange(project: QgsProject | None = None) -> None:
-    """Put the plugin's new layers that stand side by side in drawing order: breaks over burn frequency over the rest."""
+    """Put new layers that stand side by side in drawing order: breaks over burn frequency over the rest."""
     root = (project or QgsProject.instance()).layerTreeRoot()
     parents = []
     for node in root.findLayers():

@@ -152,8 +152,13 @@ def handshake(command: tuple[str, ...]) -> str:
     """
     try:
         answer = subprocess.run(  # nosec B603 - argument list, no shell, program chosen by the user
-            [*command, "--version", "--json"], stdin=subprocess.DEVNULL, capture_output=True,
-            timeout=_PATIENCE, cwd=tempfile.gettempdir(), check=False, **start_options(),
+            [*command, "--version", "--json"],
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=_PATIENCE,
+            cwd=tempfile.gettempdir(),
+            check=False,
+            **start_options(),
         )
     except subprocess.TimeoutExpired:
         raise EngineMissingError(f"it did not answer within {_PATIENCE:.0f} seconds") from None

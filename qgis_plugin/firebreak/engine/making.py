@@ -45,7 +45,12 @@ def base_interpreters() -> list[Path]:
 
 
 def make_engine(
-    folder: Path, *, base: Path | None = None, package: str = PACKAGE, report: Report, cancelled: Callable[[], bool]
+    folder: Path,
+    *,
+    base: Path | None = None,
+    package: str = PACKAGE,
+    report: Report,
+    cancelled: Callable[[], bool],
 ) -> str:
     """Make a virtual environment with the engine and return the engine's version.
 
@@ -72,15 +77,21 @@ def make_engine(
     base = base or next(iter(base_interpreters()), None)
     if base is None:
         raise EngineError(
-            "No Python from {}.{} to {}.{} was found. Install one from python.org, or choose its path here.".format(
-                *RELEASES[0], RELEASES[1][0], RELEASES[1][1] - 1))
+            "No Python from {}.{} to {}.{} was found. Install one, or choose its path here.".format(
+                *RELEASES[0], RELEASES[1][0], RELEASES[1][1] - 1
+            )
+        )
     if folder.exists() and not (folder / "pyvenv.cfg").is_file():
-        raise EngineError(f"The folder {folder} holds something else than an environment; move it away first.")
+        raise EngineError(
+            f"The folder {folder} holds something else than an environment; move it away first."
+        )
     forget()
     try:
         shutil.rmtree(folder, ignore_errors=True)
         report(0.0, f"Making an environment with {base}")
-        _step("making the environment", [str(base), "-I", "-m", "venv", str(folder)], lambda _: None, cancelled)
+        _step(
+            "making the environment", [str(base), "-I", "-m", "venv", str(folder)], lambda _: None, cancelled
+        )
         python = interpreter_in(folder)
         if python is None:
             raise EngineError(f"{base} made no environment in {folder}.")
@@ -91,8 +102,26 @@ def make_engine(
             lines += 1
             report(_SHARE_OF_VENV + (0.95 - _SHARE_OF_VENV) * lines / (lines + _EXPECTED_LINES / 3), line)
 
-        _step("installing", [str(python), "-I", "-u", "-X", "utf8", "-m", "pip", "install", "--no-input",
-                             "--disable-pip-version-check", "--progress-bar", "off", package], said, cancelled)
+        _step(
+            "installing",
+            [
+                str(python),
+                "-I",
+                "-u",
+                "-X",
+                "utf8",
+                "-m",
+                "pip",
+                "install",
+                "--no-input",
+                "--disable-pip-version-check",
+                "--progress-bar",
+                "off",
+                package,
+            ],
+            said,
+            cancelled,
+        )
         report(0.95, "Starting the engine")
         version = handshake(command_of(str(python)))
     except EngineMissingError as error:
@@ -118,21 +147,30 @@ def _release(python: Path) -> tuple[int, int]:
         return sys.version_info[0], sys.version_info[1]
     try:
         answer = subprocess.run(  # nosec B603 - argument list, no shell, interpreters found on the PATH
-            [str(python), "-I", "--version"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL, timeout=10, check=False, **start_options())
+            [str(python), "-I", "--version"],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            timeout=10,
+            check=False,
+            **start_options(),
+        )
     except (OSError, subprocess.TimeoutExpired):
         return 0, 0
     found = re.match(rb"Python (\d+)\.(\d+)", answer.stdout)
     return (int(found.group(1)), int(found.group(2))) if found else (0, 0)
 
 
-def _step(what: str, command: Sequence[str], said: Callable[[str], None], cancelled: Callable[[], bool]) -> None:
+def _step(
+    what: str, command: Sequence[str], said: Callable[[str], None], cancelled: Callable[[], bool]
+) -> None:
     options: dict[str, Any] = start_options()
     if os.name != "nt":
         options["start_new_session"] = True  # pip starts processes of its own; all are ended together
     try:
         process = subprocess.Popen(  # nosec B603 - argument list, no shell, interpreter chosen by the user
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options
+        )
     except OSError as error:
         raise EngineError(f"Failed at {what}: {error}") from error
     lines: queue.Queue[str | None] = queue.Queue()

@@ -46,7 +46,9 @@ class Listener:
     cancelled: Callable[[], bool] = bool
 
 
-def run(engine: Engine, arguments: Sequence[str], listener: Listener | None = None, *, folder: str) -> dict[str, Any]:
+def run(
+    engine: Engine, arguments: Sequence[str], listener: Listener | None = None, *, folder: str
+) -> dict[str, Any]:
     """Run one command of the engine and return its result.
 
     Parameters
@@ -71,7 +73,11 @@ def run(engine: Engine, arguments: Sequence[str], listener: Listener | None = No
     command = [*engine.command, arguments[0], "--json", "--progress", "json", *arguments[1:]]
     try:
         process = subprocess.Popen(  # nosec B603 - argument list, no shell, program chosen by the user
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=folder,
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            cwd=folder,
             **start_options(),
         )
     except OSError as error:
@@ -79,7 +85,9 @@ def run(engine: Engine, arguments: Sequence[str], listener: Listener | None = No
     complaints: deque[str] = deque(maxlen=_KEPT_LINES)
     lines: queue.Queue[str | None] = queue.Queue()
     readers = [
-        threading.Thread(target=_read, args=(process.stdout, lines.put, lambda: lines.put(None)), daemon=True),
+        threading.Thread(
+            target=_read, args=(process.stdout, lines.put, lambda: lines.put(None)), daemon=True
+        ),
         threading.Thread(target=_read, args=(process.stderr, complaints.append, _ignore), daemon=True),
     ]
     try:
@@ -171,13 +179,19 @@ def _result(told: dict[str, Any], code: int, complaints: Iterable[str]) -> dict[
         return told["result"]
     error = told.get("error")
     if isinstance(error, dict):
-        raise EngineFailedError(str(error.get("message", "")), kind=str(error.get("kind", "error")), exit_code=code)
+        raise EngineFailedError(
+            str(error.get("message", "")), kind=str(error.get("kind", "error")), exit_code=code
+        )
     if code < 0 or code in (137, 0xC0000005):
         cause = f"signal {-code}" if code < 0 else f"code {code}"
         raise EngineFailedError(
-            f"The engine was ended from outside or crashed ({cause}). Perhaps memory ran out: choose larger cells or a "
-            f"smaller extent. {_tail(complaints)}", exit_code=code)
-    raise EngineFailedError(f"The engine ended with code {code} and without a result. {_tail(complaints)}", exit_code=code)
+            f"The engine was ended from outside or crashed ({cause}). Perhaps memory ran out: choose larger "
+            f"cells or a smaller extent. {_tail(complaints)}",
+            exit_code=code,
+        )
+    raise EngineFailedError(
+        f"The engine ended with code {code} and without a result. {_tail(complaints)}", exit_code=code
+    )
 
 
 def _tail(complaints: Iterable[str]) -> str:
