@@ -85,7 +85,7 @@ def edges(network: SpreadNetwork) -> list[tuple[int, int, Fraction]]:
 
 
 def dependencies(network: SpreadNetwork, source: int) -> np.ndarray:
-    """Share of shortest paths from `source` through each cell, summed over targets, in exact numbers."""
+    """Share of shortest paths from `source` through each cell, summed over targets; paths counted exactly."""
     leaving: dict[int, list[tuple[int, Fraction]]] = {}
     for a, b, step in edges(network):
         leaving.setdefault(a, []).append((b, step))
@@ -105,12 +105,13 @@ def dependencies(network: SpreadNetwork, source: int) -> np.ndarray:
             elif reach == distance[target]:
                 n_paths[target] += n_paths[cell]
                 before[target].append(cell)
-    through = {cell: Fraction(0) for cell in order}
+    through = dict.fromkeys(order, 0.0)
     for cell in reversed(order):
         for previous in before[cell]:
-            through[previous] += Fraction(n_paths[previous], n_paths[cell]) * (1 + through[cell])
+            # The quotient of two whole numbers of any size, rounded once.
+            through[previous] += n_paths[previous] / n_paths[cell] * (1.0 + through[cell])
     result = np.zeros(network.burnable.size)
     for cell in order:
         if cell != source:
-            result[cell] = float(through[cell])
+            result[cell] = through[cell]
     return result.reshape(network.shape)
