@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Build the plugin's zip for the QGIS plugin manager: the same bytes from the same files.
 
-    python qgis_plugin/build_zip.py [--output DIR]
+Run it as ``python qgis_plugin/build_zip.py [--output DIR]``.
 """
 
 from __future__ import annotations

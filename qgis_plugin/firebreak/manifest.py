@@ -166,7 +166,7 @@ def _description(form: forms.Form, document: dict[str, Any]) -> Description:
 
 
 def _either(document: dict[str, Any]) -> set[str]:
-    """Return the options that some command takes as vector or raster; their rasters have names of their own."""
+    """Return the options that some command takes as vector or raster; rasters get names of their own."""
     options = (option for c in document["commands"].values() for option in c.get("parameters", ()))
     return {option["name"] for option in options if option["type"].startswith("vector|raster")}
 
