@@ -128,7 +128,8 @@ class Grid:
         x, y
             Coordinates in the CRS of the grid, 1-D, equal length.
         """
-        col_f, row_f = ~self.transform @ (np.asarray(x, dtype=float), np.asarray(y, dtype=float))
+        with np.errstate(invalid="ignore"):  # a coordinate may be infinite
+            col_f, row_f = ~self.transform @ (np.asarray(x, dtype=float), np.asarray(y, dtype=float))
         row, col = np.floor(row_f), np.floor(col_f)
         inside = (row >= 0) & (row < self.shape[0]) & (col >= 0) & (col < self.shape[1])
         index = np.full(inside.shape, -1, dtype=np.int64)
@@ -222,20 +223,12 @@ class Grid:
 
 def _transform_from_centres(x: np.ndarray, y: np.ndarray, data: xr.DataArray | xr.Dataset) -> Affine:
     if "spatial_ref" in data.coords and "GeoTransform" in data.coords["spatial_ref"].attrs:
-        stored = Affine.from_gdal(
-            *(float(v) for v in data.coords["spatial_ref"].attrs["GeoTransform"].split())
-        )
+        numbers = data.coords["spatial_ref"].attrs["GeoTransform"].split()
+        stored = Affine.from_gdal(*(float(v) for v in numbers))
         # A selection or a coarsening leaves the stored transform behind; then the coordinates count.
-        centre_x = stored.c + stored.a * 0.5
-        centre_y = stored.f + stored.e * 0.5
-        steps_agree = (x.size < 2 or np.isclose(x[1] - x[0], stored.a)) and (
-            y.size < 2 or np.isclose(y[1] - y[0], stored.e)
-        )
-        if (
-            steps_agree
-            and abs(x[0] - centre_x) < 1e-6 * abs(stored.a)
-            and abs(y[0] - centre_y) < 1e-6 * abs(stored.e)
-        ):
+        same = Grid((y.size, x.size), stored)
+        off_x, off_y = np.abs(x - same.x).max(), np.abs(y - same.y).max()
+        if off_x < 1e-6 * abs(stored.a) and off_y < 1e-6 * abs(stored.e):
             return stored
     step_x = (x[-1] - x[0]) / (x.size - 1) if x.size > 1 else None
     step_y = (y[-1] - y[0]) / (y.size - 1) if y.size > 1 else None

@@ -1,0 +1,114 @@
+"""Breaks: exact budgets, nested plans, ties, polygons."""
+
+import math
+
+import geopandas as gpd
+import numpy as np
+import pytest
+from affine import Affine
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+
+from firebreak_gis.breaks import break_polygons, cells_to_cut, removal_order, select_breaks
+from firebreak_gis.errors import GridError, ParameterError
+from firebreak_gis.grid import Grid, parse_crs
+from tests.twins import breaks as twin
+
+GRID = Grid((9, 14), Affine(25, 0, 500_000, 0, -25, 4_000_000), parse_crs("EPSG:32635"))
+PRIORITIES = hnp.arrays(
+    np.float64, (5, 7), elements=st.sampled_from([0.0, 1.0, 2.5, -3.0, -math.inf, math.nan])
+)
+
+
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(PRIORITIES, st.floats(0, 1))
+def test_exactly_the_budget_is_cut_in_order(priority, budget):
+    order = twin.removal_order(priority)
+    count = math.floor(budget * len(order) + 0.5)
+    mask = select_breaks(priority, budget=budget).to_numpy()
+    assert {tuple(cell) for cell in np.argwhere(mask).tolist()} == set(order[:count])
+    position = removal_order(priority)
+    assert [tuple(c) for c in np.argwhere(position >= 0).tolist()] == sorted(order)
+    for k, cell in enumerate(order):
+        assert position[cell] == k
+
+
+@settings(max_examples=30, deadline=None, derandomize=True)
+@given(PRIORITIES, st.floats(0, 1), st.floats(0, 1))
+def test_plans_are_nested(priority, a, b):
+    small, large = (select_breaks(priority, budget=x).to_numpy() for x in sorted((a, b)))
+    assert (small <= large).all()
+
+
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(st.integers(0, 2**32 - 1), st.floats(0, 40))
+def test_money_is_spent_to_the_last_cell_that_fits(seed, budget):
+    rng = np.random.default_rng(seed)
+    priority, cost = rng.random((5, 7)), rng.integers(0, 4, (5, 7)).astype(float)
+    mask = select_breaks(priority, budget=budget, unit="cost", cost=cost).to_numpy() > 0
+    order = twin.removal_order(priority)
+    spent, count = 0.0, 0
+    while count < len(order) and spent + cost[order[count]] <= budget:
+        spent += cost[order[count]]
+        count += 1
+    assert cost[mask].sum() == spent
+    assert {tuple(cell) for cell in np.argwhere(mask).tolist()} == set(order[:count])
+
+
+def test_hectares():
+    priority = GRID.dataarray(np.random.default_rng(0).random(GRID.shape), "priority")
+    mask = select_breaks(priority, budget=1.0, unit="ha")
+    assert mask.attrs["cells_cut"] == mask.sum() == 16  # 625 m2 a cell
+
+
+def test_share_counts_fuel_that_may_not_be_cut():
+    priority = np.full((4, 5), -np.inf)
+    priority[:2] = 1.0
+    mask = select_breaks(priority, budget=0.25, burnable=np.ones((4, 5), bool))
+    assert mask.sum() == 5
+    with pytest.raises(ParameterError, match=r"only 10 cells can be cut.*0\.5"):
+        select_breaks(priority, budget=0.6, burnable=np.ones((4, 5), bool))
+
+
+@pytest.mark.parametrize("budget", [-0.1, 1.1, math.nan, math.inf, "much"])
+def test_impossible_budgets_are_refused(budget):
+    with pytest.raises(ParameterError, match="budget"):
+        cells_to_cut(budget, 100)
+
+
+def test_wrong_requests_are_refused():
+    priority = np.ones((3, 4))
+    with pytest.raises(ParameterError, match="share, ha or cost"):
+        select_breaks(priority, budget=1, unit="acres")
+    with pytest.raises(ParameterError, match="cost of every cell"):
+        select_breaks(priority, budget=1, unit="cost")
+    with pytest.raises(GridError):
+        select_breaks(priority, budget=0.1, burnable=np.ones((4, 3)))
+    with pytest.raises(GridError):
+        removal_order(np.ones(4))
+
+
+def test_halves_are_rounded_up():
+    assert [cells_to_cut(b, 10) for b in (0.05, 0.15, 0.25, 0.14, 0.0, 1.0)] == [1, 2, 3, 1, 0, 10]
+
+
+@settings(max_examples=25, deadline=None, derandomize=True)
+@given(hnp.arrays(np.bool_, GRID.shape))
+def test_polygons_are_the_pieces(cut):
+    priority = np.random.default_rng(0).random(GRID.shape)
+    frame = break_polygons(GRID.dataarray(cut.astype(np.uint8), "breaks"), GRID.dataarray(priority, "priority"))
+    pieces = twin.pieces(cut)
+    assert len(frame) == len(pieces)
+    assert frame.crs == GRID.crs
+    if not pieces:
+        return
+    assert frame.geometry.is_valid.all()
+    np.testing.assert_allclose(frame["area_ha"], frame.area / 10_000)
+    assert sorted(frame["cells"]) == sorted(len(p) for p in pieces)
+    means = sorted((np.mean([priority[cell] for cell in piece]) for piece in pieces), reverse=True)
+    np.testing.assert_allclose(frame["mean_priority"], means)
+    assert frame["order"].tolist() == list(range(1, len(pieces) + 1))
+    row, col = np.nonzero(cut)
+    points = gpd.GeoSeries(gpd.points_from_xy(GRID.x[col], GRID.y[row]), crs=GRID.crs)
+    assert points.within(frame.union_all()).all()
