@@ -151,9 +151,7 @@ class Grid:
         from firebreak_gis.lattice import DIRECTIONS
 
         if values.shape[-2:] != self.shape:
-            raise GridError(
-                f"{name} has shape {values.shape}, expected (..., {self.shape[0]}, {self.shape[1]})"
-            )
+            raise GridError(f"{name} has shape {values.shape}, expected (..., {self.shape[0]}, {self.shape[1]})")
         dims: tuple[str, ...] = ("y", "x")
         coords: dict[str, Any] = dict(self.coords())
         if values.ndim == 3:

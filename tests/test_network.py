@@ -297,9 +297,7 @@ def test_planes_must_lie_on_the_grid():
     for wrong in (plane.T, plane[:-1], moved.dataarray(plane, "breaks")):
         with pytest.raises(GridError):
             network.treated(wrong)
-    zone = Grid(
-        (rows, cols), network.grid.transform, "EPSG:32634" and random_network(8, crs="EPSG:32634").grid.crs
-    )
+    zone = Grid((rows, cols), network.grid.transform, "EPSG:32634" and random_network(8, crs="EPSG:32634").grid.crs)
     with pytest.raises(GridError, match="another grid"):
         network.treated(zone.dataarray(plane, "breaks"))
     bare = random_network(8)

@@ -161,14 +161,10 @@ def centre_of_fire(landscape, **wind):
 def test_fire_runs_with_the_wind_and_up_the_slope(make_landscape):
     shape = (41, 35)
     flat = {"holes": 0.0, "vegetation": 2, "density": 2}
-    south, east = centre_of_fire(
-        make_landscape(shape, **flat, elevation=0), wind_speed=8, wind_from_direction=0
-    )
+    south, east = centre_of_fire(make_landscape(shape, **flat, elevation=0), wind_speed=8, wind_from_direction=0)
     assert south > 2
     assert abs(east) < south / 3
-    south, east = centre_of_fire(
-        make_landscape(shape, **flat, elevation=0), wind_speed=8, wind_from_direction=270
-    )
+    south, east = centre_of_fire(make_landscape(shape, **flat, elevation=0), wind_speed=8, wind_from_direction=270)
     assert east > 2
     assert abs(south) < east / 3
     ramp = np.broadcast_to(3.0 * np.arange(shape[0])[::-1, None], shape)  # rises to the north
@@ -190,9 +186,7 @@ def test_effects_in_place_of_classes(make_landscape):
     shape = plain["burnable"].shape
     effect = np.full(shape, np.nan)
     effect[:, ::2] = 0.25
-    given = make_landscape(
-        seed=4, vegetation_effect=effect, density_effect=np.where(np.isnan(effect), effect, -0.3)
-    )
+    given = make_landscape(seed=4, vegetation_effect=effect, density_effect=np.where(np.isnan(effect), effect, -0.3))
     expected = twin.alexandridis(plain)
     scaled = twin.alexandridis(
         make_landscape(seed=4, vegetation=np.where(plain["vegetation"] > 0, 1, 0), density=np.where(

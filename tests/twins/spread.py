@@ -53,12 +53,8 @@ def alexandridis(landscape: Any, wind_speed: Any = 0.0, wind_from: Any = 0.0, **
                         vegetation=vegetation[to_row][to_col],
                         density=density[to_row][to_col],
                         azimuth=azimuth,
-                        wind_speed=float(
-                            wind_speed if not hasattr(wind_speed, "shape") else wind_speed[row, col]
-                        ),
-                        wind_from=float(
-                            wind_from if not hasattr(wind_from, "shape") else wind_from[row, col]
-                        ),
+                        wind_speed=float(wind_speed if not hasattr(wind_speed, "shape") else wind_speed[row, col]),
+                        wind_from=float(wind_from if not hasattr(wind_from, "shape") else wind_from[row, col]),
                         parameters={**TABLE_1, **changed},
                     )
     return found
