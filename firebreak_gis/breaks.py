@@ -120,9 +120,7 @@ def select_breaks(
                 f"lower the budget to {most:.4g} or protect less"
             )
     mask = ((position >= 0) & (position < count)).astype(np.uint8)
-    return annotate(grid.dataarray(mask, "breaks")).assign_attrs(
-        budget=float(budget), unit=unit, cells_cut=count
-    )
+    return annotate(grid.dataarray(mask, "breaks")).assign_attrs(budget=float(budget), unit=unit, cells_cut=count)
 
 
 def _fitting(grid: Grid, hectares: float, unit: str) -> int:
@@ -177,17 +175,15 @@ def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -
     # Traced over sides only, since a polygon that touches itself at a corner is invalid; then joined.
     labels, n_pieces = ndimage.label(cut, structure=np.ones((3, 3)))
     parts: dict[int, list[Any]] = {i: [] for i in range(1, n_pieces + 1)}
-    for geometry, label in shapes(
-        labels.astype(np.int32), mask=cut, connectivity=4, transform=grid.transform
-    ):
+    for geometry, label in shapes(labels.astype(np.int32), mask=cut, connectivity=4, transform=grid.transform):
         parts[int(label)].append(shape(geometry))
     cells = np.bincount(labels.ravel(), minlength=n_pieces + 1)[1:]
     scores = np.zeros(n_pieces)
     if priority is not None:
         grid.require(Grid.of(priority), "priority")
-        total = np.bincount(
-            labels[cut], weights=np.asarray(priority, dtype=np.float64)[cut], minlength=n_pieces + 1
-        )[1:]
+        total = np.bincount(labels[cut], weights=np.asarray(priority, dtype=np.float64)[cut], minlength=n_pieces + 1)[
+            1:
+        ]
         scores = total / np.maximum(cells, 1)
     sequence = np.argsort(-scores, kind="stable")
     return gpd.GeoDataFrame(

@@ -77,8 +77,13 @@ def compare_plans(
     if not budgets or not residuals:
         raise ParameterError("give at least one budget and one residual")
     report = progress or silent
-    fires: dict[str, Any] = {"ignitions": ignitions, "ignition_mode": ignition_mode, "n_runs": n_runs,
-                             "seed": seed + FRESH, "threads": threads}  # fmt: skip
+    fires: dict[str, Any] = {
+        "ignitions": ignitions,
+        "ignition_mode": ignition_mode,
+        "n_runs": n_runs,
+        "seed": seed + FRESH,
+        "threads": threads,
+    }
     worth = network.burnable.astype(np.float64) if value is None else value
     untreated = simulate(network, value=worth, progress=part(report, 0.0, 0.05, "untreated: "), **fires)
     shape = (len(priorities), len(budgets), len(residuals), n_runs)
@@ -90,24 +95,41 @@ def compare_plans(
         cut[:] = [m.attrs["cells_cut"] for m in masks]
         for j, residual in enumerate(residuals):
             done = (i * len(residuals) + j) / n_steps
-            step = part(report, 0.05 + 0.95 * done, 0.05 + 0.95 * (done + 1 / n_steps), f"{label}, residual {residual:g}: ")
+            step = part(
+                report, 0.05 + 0.95 * done, 0.05 + 0.95 * (done + 1 / n_steps), f"{label}, residual {residual:g}: "
+            )
             if residual == 0.0 and value is None:
                 cells = burn_curve(network, priority, budgets=budgets, progress=step, **fires).to_numpy().T
                 burnt[i, :, j] = lost[i, :, j] = cells
                 continue
             for k, mask in enumerate(masks):
-                run = simulate(network, breaks=mask, residual=residual, value=worth,
-                               progress=part(step, k / len(masks), (k + 1) / len(masks)), **fires)  # fmt: skip
+                run = simulate(
+                    network,
+                    breaks=mask,
+                    residual=residual,
+                    value=worth,
+                    progress=part(step, k / len(masks), (k + 1) / len(masks)),
+                    **fires,
+                )
                 burnt[i, k, j] = run["fire_size"]
                 lost[i, k, j] = run["value_lost"]
     dims = ("ranking", "budget", "residual", "run")
     return xr.Dataset(
-        {"burnt": (dims, burnt), "lost": (dims, lost), "burnt_untreated": ("run", untreated["fire_size"].to_numpy()),
-         "lost_untreated": ("run", untreated["value_lost"].to_numpy()), "cells_cut": ("budget", cut)},
+        {
+            "burnt": (dims, burnt),
+            "lost": (dims, lost),
+            "burnt_untreated": ("run", untreated["fire_size"].to_numpy()),
+            "lost_untreated": ("run", untreated["value_lost"].to_numpy()),
+            "cells_cut": ("budget", cut),
+        },
         coords={"ranking": list(priorities), "budget": budgets, "residual": residuals},
-        attrs={"n_burnable": network.n_burnable, "cell_area_ha": network.grid.cell_area_ha, "n_runs": n_runs,
-               "fire_seed": seed + FRESH},
-    )  # fmt: skip
+        attrs={
+            "n_burnable": network.n_burnable,
+            "cell_area_ha": network.grid.cell_area_ha,
+            "n_runs": n_runs,
+            "fire_seed": seed + FRESH,
+        },
+    )
 
 
 def comparison_table(result: xr.Dataset) -> pd.DataFrame:
@@ -130,13 +152,21 @@ def comparison_table(result: xr.Dataset) -> pd.DataFrame:
                 chosen = result.sel(ranking=label, budget=budget, residual=residual)
                 burnt = chosen["burnt"].to_numpy() * area
                 saved = (untreated - burnt) / max(cells * area, area)
-                row: dict[str, Any] = {"method": label, "d_f": float(budget), "residual": float(residual),
-                                       "cells_cut": int(cells), "ha_cut": cells * area,
-                                       "R": burnt.mean() / (n_burnable * area)}  # fmt: skip
+                row: dict[str, Any] = {
+                    "method": label,
+                    "d_f": float(budget),
+                    "residual": float(residual),
+                    "cells_cut": int(cells),
+                    "ha_cut": cells * area,
+                    "R": burnt.mean() / (n_burnable * area),
+                }
                 for name, runs, measure in (
-                    ("burnt_ha", burnt, _mean), ("p90_ha", burnt, _p90), ("cvar_ha", burnt, _cvar),
-                    ("value_lost", chosen["lost"].to_numpy(), _mean), ("leverage", saved, _mean),
-                ):  # fmt: skip
+                    ("burnt_ha", burnt, _mean),
+                    ("p90_ha", burnt, _p90),
+                    ("cvar_ha", burnt, _cvar),
+                    ("value_lost", chosen["lost"].to_numpy(), _mean),
+                    ("leverage", saved, _mean),
+                ):
                     low, high = np.percentile(measure(runs[picks]), [2.5, 97.5])
                     row |= {name: float(measure(runs[None])[0]), f"{name}_low": float(low), f"{name}_high": float(high)}
                 rows.append(row)

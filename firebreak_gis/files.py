@@ -104,9 +104,7 @@ def require_writable(
     place = Path(os.path.realpath(target))
     try:
         if not place.parent.is_dir():
-            raise OutputError(
-                f"the folder {place.parent} of the output {place.name} does not exist; create it first"
-            )
+            raise OutputError(f"the folder {place.parent} of the output {place.name} does not exist; create it first")
         if place.is_dir():
             raise OutputError(f"the output {place} is a folder, expected the name of a file")
         for source in forbid:
@@ -116,9 +114,7 @@ def require_writable(
                 )
         if place.exists():
             if not overwrite:
-                raise OutputError(
-                    f"the output {place} exists; choose another name or allow overwriting (--overwrite)"
-                )
+                raise OutputError(f"the output {place} exists; choose another name or allow overwriting (--overwrite)")
             if not os.access(place, os.W_OK):
                 raise OutputError(
                     f"the output {place} is write-protected; remove the protection or choose another name"

@@ -71,9 +71,7 @@ def resolve_ignitions(
     if mode not in ("each", "all"):
         raise ParameterError(f"ignition mode is {mode!r}, expected 'each' or 'all'")
     if network.n_burnable == 0:
-        raise InputError(
-            "no cell of the network holds fuel, so nothing can burn; check the legend and the layers"
-        )
+        raise InputError("no cell of the network holds fuel, so nothing can burn; check the legend and the layers")
     if isinstance(ignitions, (str, os.PathLike)) and Path(ignitions).suffix.lower() in _RASTER_SUFFIXES:
         from firebreak_gis.rasters import read_raster
 
@@ -99,9 +97,7 @@ def _weights(network: SpreadNetwork, ignitions: Any) -> np.ndarray | None:
         return None
     plane = np.nan_to_num(network.plane(ignitions, "the ignition raster").astype(np.float64), nan=0.0)
     if (plane < 0).any() or not np.isfinite(plane).all():
-        raise InputError(
-            "the ignition raster has negative or infinite values, expected probabilities or weights"
-        )
+        raise InputError("the ignition raster has negative or infinite values, expected probabilities or weights")
     plane = np.where(network.burnable, plane, 0.0)
     if plane.sum() == 0.0:
         raise InputError("the ignition raster is zero on every cell that holds fuel, so no fire can start")
@@ -124,17 +120,13 @@ def _point_cells(network: SpreadNetwork, ignitions: Any) -> np.ndarray:
         if pairs.ndim == 1 and pairs.size == 2:
             pairs = pairs[None]
         if pairs.ndim != 2 or pairs.shape[1] != 2 or pairs.shape[0] == 0:
-            raise ParameterError(
-                f"ignitions have shape {pairs.shape}, expected (n, 2) coordinates, a raster or points"
-            )
+            raise ParameterError(f"ignitions have shape {pairs.shape}, expected (n, 2) coordinates, a raster or points")
         x, y = pairs[:, 0], pairs[:, 1]
     cells = network.grid.cells_of(x, y)
     problems = []
     for i, cell in enumerate(cells.tolist()):
         if cell < 0:
-            problems.append(
-                f"point {i + 1} ({x[i]:.6g}, {y[i]:.6g}) lies outside the grid {network.grid.describe()}"
-            )
+            problems.append(f"point {i + 1} ({x[i]:.6g}, {y[i]:.6g}) lies outside the grid {network.grid.describe()}")
         elif not network.burnable.ravel()[cell]:
             row, col = divmod(cell, network.shape[1])
             problems.append(

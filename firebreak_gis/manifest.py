@@ -64,9 +64,7 @@ def write_manifest(
         "parameters": plain(parameters),
         "inputs": [{"path": str(p), "sha256": sha256(p)} for p in inputs],
         **plain(account),
-        "outputs": [
-            {"path": Path(os.path.relpath(p, target.parent)).as_posix(), "sha256": sha256(p)} for p in outputs
-        ],
+        "outputs": [{"path": Path(os.path.relpath(p, target.parent)).as_posix(), "sha256": sha256(p)} for p in outputs],
     }
     write_text(target, json.dumps(document, indent=2, ensure_ascii=False) + "\n", overwrite=overwrite)
     return target

@@ -99,12 +99,8 @@ def load(kind: str, name: str) -> ModuleType:
     else:
         module = importlib.import_module(f"{KINDS[kind][0]}.{name}")
     function = KINDS[kind][1]
-    if not callable(getattr(module, function, None)) or not dataclasses.is_dataclass(
-        getattr(module, "Params", None)
-    ):
-        raise ParameterError(
-            f"the {kind} method {name!r} lacks a function {function}() or a dataclass Params"
-        )
+    if not callable(getattr(module, function, None)) or not dataclasses.is_dataclass(getattr(module, "Params", None)):
+        raise ParameterError(f"the {kind} method {name!r} lacks a function {function}() or a dataclass Params")
     return typing.cast(ModuleType, module)
 
 
@@ -201,7 +197,5 @@ def _to_number(value: Any, *, whole: bool, metadata: Mapping[str, Any]) -> float
     if low is not None and number < low:
         raise ValueError(f"got {number:g}, expected at least {low:g}")
     if high is not None and (number > high or (metadata["open_maximum"] and number == high)):
-        raise ValueError(
-            f"got {number:g}, expected {'less than' if metadata['open_maximum'] else 'at most'} {high:g}"
-        )
+        raise ValueError(f"got {number:g}, expected {'less than' if metadata['open_maximum'] else 'at most'} {high:g}")
     return int(number) if whole else number

@@ -171,12 +171,14 @@ def plan(
         network = with_barriers(network, barriers)
     setting = Setting(network, cost=cost, protected=protected, value=value, ignition=ignition)
     priority = rank(
-        network, method, setting=setting, seed=seed, progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
+        network,
+        method,
+        setting=setting,
+        seed=seed,
+        progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
         **(method_params or {}),
-    )  # fmt: skip
-    breaks = select_breaks(
-        priority, budget=budget, unit=budget_unit, burnable=network.burnable, cost=setting.cost
     )
+    breaks = select_breaks(priority, budget=budget, unit=budget_unit, burnable=network.burnable, cost=setting.cost)
     fires: dict[str, Any] = {
         "ignitions": ignitions,
         "ignition_mode": ignition_mode,
@@ -187,15 +189,23 @@ def plan(
     at_risk = None if value is None else setting.value
     before = simulate(network, value=at_risk, progress=part(progress, 0.35, 0.5, "without breaks: "), **fires)
     after = simulate(
-        network, breaks=breaks, residual=residual, value=at_risk,
-        progress=part(progress, 0.5, 0.6, "with breaks: "), **fires,
-    )  # fmt: skip
+        network,
+        breaks=breaks,
+        residual=residual,
+        value=at_risk,
+        progress=part(progress, 0.5, 0.6, "with breaks: "),
+        **fires,
+    )
     baselines = {name: rank(network, name, setting=setting, seed=seed) for name in BASELINES if name != method}
     share = budget if budget_unit == "share" else breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
     evaluation = evaluate(
-        network, {method: priority, **baselines}, budgets=reachable(default_budgets(share), priority, network),
-        baseline="random", progress=part(progress, 0.6, 1.0, "evaluate "), **fires,
-    )  # fmt: skip
+        network,
+        {method: priority, **baselines},
+        budgets=reachable(default_budgets(share), priority, network),
+        baseline="random",
+        progress=part(progress, 0.6, 1.0, "evaluate "),
+        **fires,
+    )
     parameters = {
         "budget": budget,
         "budget_unit": budget_unit,
@@ -298,9 +308,7 @@ def write_plan(
     written = write_landscape(result.landscape, target, overwrite=overwrite, provenance=tags)
     for i, (name, data) in enumerate(rasters.items()):
         report(0.2 + 0.1 * i, name)
-        write_raster(
-            target / name, data, overwrite=overwrite, provenance=tags, creation_options=creation_options
-        )
+        write_raster(target / name, data, overwrite=overwrite, provenance=tags, creation_options=creation_options)
         written.append(target / name)
     report(0.6, "breaks.gpkg")
     write_vector(target / "breaks.gpkg", result.polygons, layer="breaks", overwrite=overwrite)

@@ -76,8 +76,7 @@ def require_plausible(crs: CRS, bounds: tuple[float, float, float, float], where
         )
         if outside or not math.isfinite(lon[0]):
             raise CRSError(
-                f"{where} claims projected units ({crs_name(crs)}) but its coordinates look like degrees: "
-                f"{box}; {fix}"
+                f"{where} claims projected units ({crs_name(crs)}) but its coordinates look like degrees: {box}; {fix}"
             )
 
 
@@ -118,8 +117,7 @@ def suggest_utm(lon: np.ndarray, lat: np.ndarray) -> CRS:
 
     if not (np.isfinite(lon).all() and np.isfinite(lat).all()):
         raise CRSError(
-            "the extent reaches beyond what its CRS can describe; crop the raster, or give --bounds and "
-            "--dst-crs"
+            "the extent reaches beyond what its CRS can describe; crop the raster, or give --bounds and --dst-crs"
         )
     width = float(lon.max() - lon.min())
     middle_lat = float(lat.min() + lat.max()) / 2

@@ -106,9 +106,7 @@ def simulate(
         with adding:
             np.add(counts, own, out=counts)
 
-    run_pieces(
-        burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning"
-    )
+    run_pieces(burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning")
     burns = _burns(network, counts.reshape(network.shape), sizes, seed)
     return burns if value is None else burns.assign(value_lost=annotate(_by_run(lost, "value_lost")))
 
@@ -161,15 +159,11 @@ def burn_curve(
     def burn(piece: tuple[int, int]) -> None:
         burn_levels(limits, keys, grid_steps, start.starts, start.cells, piece[0], piece[1], levels, burnt)
 
-    run_pieces(
-        burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning"
-    )
+    run_pieces(burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning")
     return xr.DataArray(
         burnt,
         dims=("run", "budget"),
-        coords={
-            "budget": ("budget", np.asarray(budgets, dtype=np.float64), {"units": "1", "long_name": "d_f"})
-        },
+        coords={"budget": ("budget", np.asarray(budgets, dtype=np.float64), {"units": "1", "long_name": "d_f"})},
         name="cells_burnt",
         attrs={"n_burnable": network.n_burnable, "seed": seed},
     )

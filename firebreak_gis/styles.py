@@ -71,8 +71,7 @@ def _entry(tag: str, value: str, colour: str, label: str) -> str:
 
 def _paletted(variable: Variable) -> str:
     entries = "".join(
-        _entry("paletteEntry", str(code), variable.colours[code], label)
-        for code, label in variable.classes.items()
+        _entry("paletteEntry", str(code), variable.colours[code], label) for code, label in variable.classes.items()
     )
     return (
         '  <rasterrenderer type="paletted" band="1" opacity="1" alphaBand="-1" nodataColor="">\n'
@@ -87,8 +86,7 @@ def _ramp(variable: Variable, low: float, high: float) -> str:
     last = len(colours) - 1
     values = [low + (high - low) * i / last for i in range(last + 1)]
     items = "".join(
-        _entry("item", f"{value:.9g}", colour, f"{value:.4g}")
-        for value, colour in zip(values, colours, strict=True)
+        _entry("item", f"{value:.9g}", colour, f"{value:.4g}") for value, colour in zip(values, colours, strict=True)
     )
     return (
         '  <rasterrenderer type="singlebandpseudocolor" band="1" opacity="1" alphaBand="-1" nodataColor="" '

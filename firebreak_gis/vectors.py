@@ -104,8 +104,7 @@ def write_vector(
         raise OutputError(f"{place.name} has no known vector extension; expected one of {', '.join(DRIVERS)}")
     if gdf.crs is None:
         raise CRSError(
-            f"the features for {place.name} have no coordinate reference system; set one with "
-            f"gdf.set_crs(...)"
+            f"the features for {place.name} have no coordinate reference system; set one with gdf.set_crs(...)"
         )
     _require_closed(place)
     layer = layer or place.stem
@@ -134,8 +133,7 @@ def _read(source: Any, crs: Any, what: str, kinds: set[str], *, explode: bool = 
     for frame in frames:
         if frame.crs is None:
             raise CRSError(
-                f"{where} has no coordinate reference system; assign one, e.g. ogr2ogr -a_srs EPSG:4326 "
-                f"out.gpkg in.shp"
+                f"{where} has no coordinate reference system; assign one, e.g. ogr2ogr -a_srs EPSG:4326 out.gpkg in.shp"
             )
         ready.append(_plain(frame, where, what, kinds, notes).to_crs(target))
     ready = [frame for frame in ready if len(frame)]
@@ -169,9 +167,7 @@ def _frames(source: Any) -> tuple[str, list[gpd.GeoDataFrame]]:
         layers = [str(row[0]) for row in pyogrio.list_layers(name) if row[1] is not None]
         frames = [gpd.read_file(name, layer=layer, engine="pyogrio") for layer in layers]
     except (DataSourceError, DataLayerError, OSError) as error:
-        raise InputError(
-            f"{name} cannot be read as vector data ({str(error)[:120]}); is it complete?"
-        ) from error
+        raise InputError(f"{name} cannot be read as vector data ({str(error)[:120]}); is it complete?") from error
     if not frames:
         raise InputError(f"{name} holds no layer with geometries")
     return name, frames
@@ -183,18 +179,12 @@ def _read_parquet(name: str) -> gpd.GeoDataFrame:
     try:
         return gpd.read_parquet(name)
     except ImportError as error:
-        raise MissingComponentError(
-            "reading .parquet needs pyarrow: pip install pyarrow (or use .gpkg)"
-        ) from error
+        raise MissingComponentError("reading .parquet needs pyarrow: pip install pyarrow (or use .gpkg)") from error
     except (OSError, ValueError) as error:
-        raise InputError(
-            f"{name} cannot be read as GeoParquet ({str(error)[:120]}); is it complete?"
-        ) from error
+        raise InputError(f"{name} cannot be read as GeoParquet ({str(error)[:120]}); is it complete?") from error
 
 
-def _plain(
-    frame: gpd.GeoDataFrame, where: str, what: str, kinds: set[str], notes: list[str]
-) -> gpd.GeoDataFrame:
+def _plain(frame: gpd.GeoDataFrame, where: str, what: str, kinds: set[str], notes: list[str]) -> gpd.GeoDataFrame:
     """Two-dimensional, present, valid geometries of the kinds asked for."""
     import shapely
 
@@ -218,9 +208,7 @@ def _require_finite(frame: gpd.GeoDataFrame, where: str, target: CRS) -> None:
     import numpy as np
 
     if not np.isfinite(frame.geometry.bounds.to_numpy()).all():
-        raise CRSError(
-            f"{where} has coordinates that {crs_name(target)} cannot describe; is its CRS the true one?"
-        )
+        raise CRSError(f"{where} has coordinates that {crs_name(target)} cannot describe; is its CRS the true one?")
 
 
 def _require_closed(place: Path) -> None:
@@ -267,9 +255,7 @@ def _write_parquet(part: Path, gdf: gpd.GeoDataFrame) -> None:
     try:
         gdf.to_parquet(part, index=False)
     except ImportError as error:
-        raise MissingComponentError(
-            "writing .parquet needs pyarrow: pip install pyarrow (or write .gpkg)"
-        ) from error
+        raise MissingComponentError("writing .parquet needs pyarrow: pip install pyarrow (or write .gpkg)") from error
 
 
 def _count(part: Path, driver: str) -> int:

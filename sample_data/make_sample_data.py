@@ -417,9 +417,7 @@ def travel_graph(terrain: Terrain, river: np.ndarray) -> sparse.csr_array:
     return sparse.csr_array(entries, shape=(index.size, index.size))
 
 
-def place_villages(
-    terrain: Terrain, river: np.ndarray, graph: sparse.csr_array
-) -> tuple[np.ndarray, list[int]]:
+def place_villages(terrain: Terrain, river: np.ndarray, graph: sparse.csr_array) -> tuple[np.ndarray, list[int]]:
     """Build villages on gentle ground near their preferred elevations, well apart.
 
     Returns
@@ -457,9 +455,7 @@ def bare_rock(rng: np.random.Generator, terrain: Terrain, land: np.ndarray) -> n
     return top_share(ndimage.gaussian_filter(score, 1.0), land, 0.012)
 
 
-def grow_vegetation(
-    rng: np.random.Generator, terrain: Terrain, river: np.ndarray, villages: np.ndarray
-) -> np.ndarray:
+def grow_vegetation(rng: np.random.Generator, terrain: Terrain, river: np.ndarray, villages: np.ndarray) -> np.ndarray:
     """Lay fields on the valley floors and round the villages, pines high and north, shrubs elsewhere."""
     land = ~(terrain.sea | river | (villages > 0))
     land &= ~bare_rock(rng, terrain, land)

@@ -44,9 +44,7 @@ def test_rhodes_three_layers_reach_the_disk_unchanged(tmp_path):
 def test_rhodes_by_the_codes_of_eu12_without_density(tmp_path):
     data = read_landscape(rhodes("dem"), rhodes("fuel12"), legend="eu12")
     codes, _ = raw("rhodes_20m", "rhodes_fuel12.tif")
-    np.testing.assert_array_equal(
-        data["vegetation"], np.array([0, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 3])[codes]
-    )
+    np.testing.assert_array_equal(data["vegetation"], np.array([0, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 3])[codes])
     np.testing.assert_array_equal(data["density"], np.array([0, 1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3])[codes])
     by_hand = read_landscape(rhodes("dem"), rhodes("vegetation"), rhodes("density"))
     np.testing.assert_array_equal(data["vegetation"], by_hand["vegetation"])
@@ -77,9 +75,7 @@ def test_ireland_becomes_square_by_looking_up_every_cell():
     expected = np.array([0, 2, 2, 0, 1, 3, 1, 2])[near]
     np.testing.assert_array_equal(data["vegetation"].to_numpy()[~edge], expected[~edge])
     # Within one cell the interpolated height stays near that of the cell.
-    difference = np.abs(
-        data["elevation"].to_numpy() - heights[np.floor(row).astype(int), np.floor(col).astype(int)]
-    )
+    difference = np.abs(data["elevation"].to_numpy() - heights[np.floor(row).astype(int), np.floor(col).astype(int)])
     assert np.nanmedian(difference) < 2
     assert np.nanmax(difference) < 40
 
@@ -91,9 +87,7 @@ def test_vilopriu_float_codes_and_canopy_cover():
         read_landscape(*paths[:2], legend="scott_burgan_40")
     plain = read_landscape(*paths[:2], legend="scott_burgan_40", unknown="nonburnable")
     assert plain.sizes == {"y": 610, "x": 508}
-    data = read_landscape(
-        *paths, legend="scott_burgan_40", density_legend="canopy_cover", unknown="nonburnable"
-    )
+    data = read_landscape(*paths, legend="scott_burgan_40", density_legend="canopy_cover", unknown="nonburnable")
     codes, _ = raw(folder, "fuels.tif")
     cover, _ = raw(folder, "ccf.tif")
     timber = (codes >= 161) & (codes <= 189) & data["burnable"].to_numpy()

@@ -16,9 +16,7 @@ from firebreak_gis.grid import Grid, parse_crs
 from tests.twins import breaks as twin
 
 GRID = Grid((9, 14), Affine(25, 0, 500_000, 0, -25, 4_000_000), parse_crs("EPSG:32635"))
-PRIORITIES = hnp.arrays(
-    np.float64, (5, 7), elements=st.sampled_from([0.0, 1.0, 2.5, -3.0, -math.inf, math.nan])
-)
+PRIORITIES = hnp.arrays(np.float64, (5, 7), elements=st.sampled_from([0.0, 1.0, 2.5, -3.0, -math.inf, math.nan]))
 
 
 @settings(max_examples=60, deadline=None, derandomize=True)

@@ -157,10 +157,30 @@ def test_toml_configuration_and_options_that_win(tmp_path):
 def test_steps_give_what_plan_gives(plan, network, tmp_path):
     folder = network.parent
     run("rank", network, "-p", "beta=0.5", "-o", tmp_path / "priority.tif", "--seed", 3)
-    run("breaks", tmp_path / "priority.tif", "--budget", 0.14, "-o", tmp_path / "breaks.tif", "--polygons",
-        tmp_path / "b.geojson")  # fmt: skip
-    run("burn", network, "--breaks", tmp_path / "breaks.tif", "-o", tmp_path / "f.tif", "--runs", 60, "--seed", 3,
-        "--sizes", tmp_path / "s.csv")  # fmt: skip
+    run(
+        "breaks",
+        tmp_path / "priority.tif",
+        "--budget",
+        0.14,
+        "-o",
+        tmp_path / "breaks.tif",
+        "--polygons",
+        tmp_path / "b.geojson",
+    )
+    run(
+        "burn",
+        network,
+        "--breaks",
+        tmp_path / "breaks.tif",
+        "-o",
+        tmp_path / "f.tif",
+        "--runs",
+        60,
+        "--seed",
+        3,
+        "--sizes",
+        tmp_path / "s.csv",
+    )
     pairs = {"priority.tif": "priority.tif", "breaks.tif": "breaks.tif", "f.tif": "burn_frequency_with_breaks.tif"}
     for mine, theirs in pairs.items():
         one, other = read(tmp_path / mine), read(plan / theirs)
@@ -186,22 +206,68 @@ def test_network_raster_has_eight_named_bands(network):
 
 
 def test_evaluate_and_compare(network, tmp_path):
-    run("evaluate", network, "--methods", "bonacich:beta=0.2,random", "--budgets", "0,0.1,0.3", "--runs", 20, "-o",
-        tmp_path / "e")  # fmt: skip
+    run(
+        "evaluate",
+        network,
+        "--methods",
+        "bonacich:beta=0.2,random",
+        "--budgets",
+        "0,0.1,0.3",
+        "--runs",
+        20,
+        "-o",
+        tmp_path / "e",
+    )
     rows = pd.read_csv(tmp_path / "e/evaluation.csv")
     assert rows["method"].tolist() == ["bonacich:beta=0.2"] * 3 + ["random"] * 3
     assert (tmp_path / "e/evaluation.png").stat().st_size > 5000
-    run("compare", network, "--methods", "flammability,random", "--budgets", "0.1,0.2", "--residuals", "0,0.1", "--runs",
-        20, "--values", SAMPLE / "villages.gpkg", "--values-field", "people", "-o", tmp_path / "c")  # fmt: skip
+    run(
+        "compare",
+        network,
+        "--methods",
+        "flammability,random",
+        "--budgets",
+        "0.1,0.2",
+        "--residuals",
+        "0,0.1",
+        "--runs",
+        20,
+        "--values",
+        SAMPLE / "villages.gpkg",
+        "--values-field",
+        "people",
+        "-o",
+        tmp_path / "c",
+    )
     rows = pd.read_csv(tmp_path / "c/comparison.csv")
     assert len(rows) == 8
     assert {"R", "burnt_ha", "cvar_ha", "value_lost", "leverage"} <= set(rows.columns)
 
 
 def test_plan_with_stakes(tmp_path):
-    run("plan", *LAYERS, "-o", tmp_path / "p", *COARSE, "--runs", 20, "--method", "flammability", "--budget", 60_000,
-        "--budget-unit", "cost", "--barriers", SAMPLE / "roads.gpkg", "--allowed", SAMPLE / "boundary.gpkg", "--cost",
-        "agricultural=500,shrubs=900,pines=1500", "--residual", 0.1)  # fmt: skip
+    run(
+        "plan",
+        *LAYERS,
+        "-o",
+        tmp_path / "p",
+        *COARSE,
+        "--runs",
+        20,
+        "--method",
+        "flammability",
+        "--budget",
+        60_000,
+        "--budget-unit",
+        "cost",
+        "--barriers",
+        SAMPLE / "roads.gpkg",
+        "--allowed",
+        SAMPLE / "boundary.gpkg",
+        "--cost",
+        "agricultural=500,shrubs=900,pines=1500",
+        "--residual",
+        0.1,
+    )
     summary = json.loads((tmp_path / "p/run.json").read_text())["summary"]
     assert 60_000 - 0.36 * 1500 <= summary["cost"] <= 60_000
     cut = read(tmp_path / "p/breaks.tif").filled(0) == 1
@@ -228,8 +294,11 @@ def test_lists_and_descriptions():
     found = json.loads(run("describe", "--json").output)["result"]
     assert {m["name"] for m in found["methods"]["ranking"]} == set(methods.names("ranking"))
     assert {"plan", "align", "network", "rank", "breaks", "burn", "evaluate", "methods"} <= set(found["commands"])
-    version = json.loads(subprocess.run([sys.executable, "-m", "firebreak_gis", "--version", "--json"], capture_output=True,
-                                        text=True, check=True).stdout)  # fmt: skip
+    version = json.loads(
+        subprocess.run(
+            [sys.executable, "-m", "firebreak_gis", "--version", "--json"], capture_output=True, text=True, check=True
+        ).stdout
+    )
     assert version["software"] == "firebreak_gis"
 
 
@@ -279,8 +348,14 @@ def test_outputs_are_not_overwritten_unless_asked(network, tmp_path):
 
 def start(*words, **options):
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    return subprocess.Popen([sys.executable, "-u", "-m", "firebreak_gis", *map(str, words)], text=True, env=environment,
-                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)  # fmt: skip
+    return subprocess.Popen(
+        [sys.executable, "-u", "-m", "firebreak_gis", *map(str, words)],
+        text=True,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        **options,
+    )
 
 
 def slow_burn(network, target):

@@ -69,7 +69,7 @@ def test_points_of_every_kind_give_the_same_fires(network, tmp_path):
 def test_points_that_cannot_burn_are_named(network):
     with pytest.raises(InputError, match=r"point 2 .* without fuel \(row 2, col 4\)"):
         resolve_ignitions(network, [centre(network, 0, 0), centre(network, 2, 4)], n_runs=5, seed=0)
-    with pytest.raises(InputError, match="point 1 .* outside the grid"):
+    with pytest.raises(InputError, match=r"point 1 .* outside the grid"):
         resolve_ignitions(network, [(0.0, 0.0)], n_runs=5, seed=0)
     with pytest.raises(InputError, match="and 3 more"):
         resolve_ignitions(network, [(float(i), 0.0) for i in range(8)], n_runs=5, seed=0)

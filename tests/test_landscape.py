@@ -13,7 +13,7 @@ from places import NORTH_WEST, UTM, patches, relief, square, three, write
 from pyproj import CRS, Transformer
 from scipy import ndimage
 
-from firebreak_gis import alignment, landscape, projections, target_grid
+from firebreak_gis import projections
 from firebreak_gis.errors import (
     CRSError,
     GridError,
@@ -24,7 +24,13 @@ from firebreak_gis.errors import (
     ResourceError,
 )
 from firebreak_gis.grid import Grid, parse_crs
-from firebreak_gis.landscape import read_landscape, read_landscape_folder, write_landscape
+from firebreak_gis.landscape import (
+    alignment,
+    read_landscape,
+    read_landscape_folder,
+    target_grid,
+    write_landscape,
+)
 from firebreak_gis.rasters import read_header, read_raster
 
 FULL = ("elevation", "vegetation", "density", "burnable")
@@ -115,9 +121,7 @@ def test_partial_overlap_is_told_and_too_little_refused(tmp_path):
     data = lay(dem, write(tmp_path / "v.tif", patches(40, 50, [1, 2, 3]), transform=at(25)))
     assert "50%" in data.attrs["warnings"][0]
     assert data.sizes["x"] == 25
-    with pytest.raises(
-        GridError, match=r"overlap on 4\.0%.*elevation: x 586440 to 587440.*vegetation: x 587400"
-    ):
+    with pytest.raises(GridError, match=r"overlap on 4\.0%.*elevation: x 586440 to 587440.*vegetation: x 587400"):
         lay(dem, write(tmp_path / "w.tif", patches(40, 50, [1, 2, 3]), transform=at(48)))
     with pytest.raises(GridError, match=r"do not overlap.*longitude"):
         lay(dem, write(tmp_path / "z.tif", patches(40, 50, [1, 2, 3]), transform=at(5000)))
@@ -264,14 +268,10 @@ def test_other_units_and_untrue_metres_go_to_utm(tmp_path, crs, transform, why):
 def test_the_antimeridian(tmp_path, west):
     """Longitudes beyond 180 on one layer, below -180 on the other, UTM on a third: one place."""
     values = relief(100, 100)
-    dem = write(
-        tmp_path / "dem.tif", values, transform=Affine(0.002, 0, west, 0, -0.002, -16.5), crs="EPSG:4326"
-    )
+    dem = write(tmp_path / "dem.tif", values, transform=Affine(0.002, 0, west, 0, -0.002, -16.5), crs="EPSG:4326")
     codes = patches(100, 100, [1, 2, 3])
     other = west - 360 if west > 0 else west + 360
-    vegetation = write(
-        tmp_path / "v.tif", codes, transform=Affine(0.002, 0, other, 0, -0.002, -16.5), crs="EPSG:4326"
-    )
+    vegetation = write(tmp_path / "v.tif", codes, transform=Affine(0.002, 0, other, 0, -0.002, -16.5), crs="EPSG:4326")
     data = lay(dem, vegetation)
     assert Grid.of(data).crs.to_epsg() in (32701, 32760)
     assert float(data["burnable"].mean()) > 0.95
@@ -316,9 +316,7 @@ def test_cells_that_are_not_square_become_square(tmp_path):
 
 def test_resolution_bounds_and_crs_are_followed(tmp_path):
     dem, vegetation, density = three(tmp_path, 60, 70)
-    data = read_landscape(
-        dem, vegetation, density, resolution=25, bounds=(586_500, 3_999_010, 587_001, 3_999_600)
-    )
+    data = read_landscape(dem, vegetation, density, resolution=25, bounds=(586_500, 3_999_010, 587_001, 3_999_600))
     left, bottom, right, top = Grid.of(data).bounds
     assert Grid.of(data).cell_size == 25
     assert left <= 586_500 < left + 25
@@ -339,13 +337,9 @@ def test_like_takes_the_grid_of_path_grid_or_array(tmp_path):
     with pytest.raises(ParameterError, match="whole grid"):
         read_landscape(dem, vegetation, density, like=grid, resolution=20)
     with pytest.raises(CRSError, match="in degrees"):
-        read_landscape(
-            dem, vegetation, density, like=Grid((5, 5), Affine(0.1, 0, 27, 0, -0.1, 37), parse_crs(4326))
-        )
+        read_landscape(dem, vegetation, density, like=Grid((5, 5), Affine(0.1, 0, 27, 0, -0.1, 37), parse_crs(4326)))
     with pytest.raises(GridError, match="square"):
-        read_landscape(
-            dem, vegetation, density, like=Grid((5, 5), Affine(20, 0, 5e5, 0, -30, 4e6), parse_crs(UTM))
-        )
+        read_landscape(dem, vegetation, density, like=Grid((5, 5), Affine(20, 0, 5e5, 0, -30, 4e6), parse_crs(UTM)))
 
 
 def test_grid_north_far_from_true_north_is_warned_of(tmp_path):
@@ -364,9 +358,7 @@ def test_grid_north_far_from_true_north_is_warned_of(tmp_path):
 # Units, and what elevations cannot be
 
 
-@pytest.mark.parametrize(
-    ("units", "factor"), [("ft", 0.3048), ("US survey foot", 1200 / 3937), ("metre", 1), ("", 1)]
-)
+@pytest.mark.parametrize(("units", "factor"), [("ft", 0.3048), ("US survey foot", 1200 / 3937), ("metre", 1), ("", 1)])
 def test_feet_become_metres(tmp_path, units, factor):
     dem = write(tmp_path / "d.tif", relief(9, 8), units=units)
     data = lay(dem, write(tmp_path / "v.tif", patches(9, 8, [1, 2])))
@@ -457,9 +449,7 @@ def test_cells_without_density_do_not_burn_and_are_told(tmp_path):
     assert "have no density" in data.attrs["warnings"][0]
 
 
-@pytest.mark.parametrize(
-    ("scale", "match"), [(1, None), (0.01, "looks like a fraction"), (1.5, "does not list")]
-)
+@pytest.mark.parametrize(("scale", "match"), [(1, None), (0.01, "looks like a fraction"), (1.5, "does not list")])
 def test_cover_becomes_density_by_the_thresholds_of_its_legend(tmp_path, scale, match):
     dem = write(tmp_path / "d.tif", relief(9, 10))
     codes = np.full((9, 10), 165, dtype=np.int16)
@@ -650,9 +640,7 @@ def mirrored(transform, shape):
 
 
 @settings(max_examples=15, deadline=None)
-@given(
-    dx=OFFSET, dy=OFFSET, cell=st.sampled_from([9.7, 17.1, 26.1]), resolution=st.sampled_from([20.0, 50.0])
-)
+@given(dx=OFFSET, dy=OFFSET, cell=st.sampled_from([9.7, 17.1, 26.1]), resolution=st.sampled_from([20.0, 50.0]))
 def test_mirrored_layers_give_the_mirrored_landscape(folder, dx, dy, cell, resolution):
     codes, values = patches(60, 80, [1, 2, 3], size=4), relief(70, 60)
     ground = square(cell, (NORTH_WEST[0] + dx, NORTH_WEST[1] + dy))
@@ -676,9 +664,7 @@ def test_mirrored_layers_give_the_mirrored_landscape(folder, dx, dy, cell, resol
         )
         results.append(lay(dem, vegetation, like=like))
     one, other = (result["vegetation"].to_numpy() for result in results)
-    np.testing.assert_allclose(
-        results[0]["elevation"], results[1]["elevation"].to_numpy()[:, ::-1], atol=1e-2
-    )
+    np.testing.assert_allclose(results[0]["elevation"], results[1]["elevation"].to_numpy()[:, ::-1], atol=1e-2)
     np.testing.assert_array_equal(one, other[:, ::-1])
 
 
@@ -727,16 +713,12 @@ def test_only_the_window_is_counted_as_memory(tmp_path):
     dem = read_header(write(tmp_path / "d.tif", relief(400, 400)))
     part = Grid((10, 10), square(), parse_crs(UTM))
     whole = Grid((400, 400), square(), parse_crs(UTM))
-    assert landscape.memory_needed({"elevation": dem}, part) * 100 < landscape.memory_needed(
-        {"elevation": dem}, whole
-    )
+    assert landscape.memory_needed({"elevation": dem}, part) * 100 < landscape.memory_needed({"elevation": dem}, whole)
 
 
 def test_cells_are_measured_on_the_ground(tmp_path):
     header = read_header(
-        write(
-            tmp_path / "d.tif", relief(9, 9), transform=Affine(0.001, 0, 27, 0, -0.001, 36), crs="EPSG:4326"
-        )
+        write(tmp_path / "d.tif", relief(9, 9), transform=Affine(0.001, 0, 27, 0, -0.001, 36), crs="EPSG:4326")
     )
     x, y = Transformer.from_crs(4326, UTM, always_xy=True).transform(27.0, 36.0)
     width, height = target_grid.cell_in(header, CRS(UTM), x, y)
@@ -745,9 +727,7 @@ def test_cells_are_measured_on_the_ground(tmp_path):
     assert height == pytest.approx(110.957 * 0.9996, abs=0.01)
 
 
-@pytest.mark.parametrize(
-    ("transform", "more"), [(square(), {}), (square(19.0), {}), (square(), {"resolution": 60})]
-)
+@pytest.mark.parametrize(("transform", "more"), [(square(), {}), (square(19.0), {}), (square(), {"resolution": 60})])
 def test_the_memory_is_estimated_from_the_headers(tmp_path, transform, more):
     dem = write(tmp_path / "d.tif", relief(700, 700))
     vegetation = write(tmp_path / "v.tif", patches(700, 700, [1, 2, 3]), transform=transform)

@@ -103,9 +103,7 @@ def test_every_code_of_the_makers_table_is_there(name, path):
         if code == 0:  # "not available"
             continue
         assert code in found
-        assert (found[code][0] == 0) == (
-            row["fuel_type"].strip() in ("Non-fuel", "NB1", "NB2", "NB3", "NB8", "NB9")
-        )
+        assert (found[code][0] == 0) == (row["fuel_type"].strip() in ("Non-fuel", "NB1", "NB2", "NB3", "NB8", "NB9"))
         if name == "kitral":
             words = row["descriptive_name"].split()
             if words[-1] in ("Densos", "Denso"):
@@ -139,9 +137,7 @@ def test_finding_is_looking_through_the_lines():
 
 def test_an_own_legend_by_path(tmp_path):
     path = tmp_path / "Ελλάδα.csv"
-    text = (
-        '# Own map\n# version 3\n\ncode, vegetation, density, label\n7, Pines, dense, "old, tall"\n3,none,,\n'
-    )
+    text = '# Own map\n# version 3\n\ncode, vegetation, density, label\n7, Pines, dense, "old, tall"\n3,none,,\n'
     path.write_text(text, encoding="utf-8-sig")
     legend = read_legend(path)
     assert legend.name == "Ελλάδα"

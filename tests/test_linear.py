@@ -236,8 +236,9 @@ def test_threads_do_not_change_a_bit():
     for threads in (1, 2, 3, 7):
         bounds = spectral_radius(network.probability, direct_cells=0, threads=threads)
         parts = [np.array([bounds.lower, bounds.upper])]
-        for beta in (0.8, 0.99):
-            parts.append(katz(network.probability, beta / bounds.upper, beta, threads=threads).values.ravel())
+        parts += [
+            katz(network.probability, beta / bounds.upper, beta, threads=threads).values.ravel() for beta in (0.8, 0.99)
+        ]
         results.append(np.concatenate(parts))
     assert all((result == results[0]).all() for result in results[1:])
 

@@ -57,11 +57,9 @@ def on_map(network: SpreadNetwork, values: dict[int, float]) -> np.ndarray:
 def test_betweenness_is_that_of_networkx(make, seed, boundary):
     network = make(seed, boundary)
     got = betweenness(network.probability, network.burnable, boundary=boundary)
-    expected = on_map(
-        network, nx.betweenness_centrality(weighted_graph(network), weight="weight", normalized=False)
-    )
+    expected = on_map(network, nx.betweenness_centrality(weighted_graph(network), weight="weight", normalized=False))
     assert expected.max() > 10
-    np.testing.assert_allclose(got, expected, rtol=3e-15 * 10, atol=1e-12)
+    np.testing.assert_allclose(got, expected, rtol=3e-15, atol=3e-15 * expected.max())
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -78,10 +76,11 @@ def test_rounded_lengths_do_not_change_the_routes():
     """Against 1/p itself, where no two routes tie."""
     network = landscape(0, "open", (12, 17))
     graph = network.to_networkx()
+    between, close = rank(network, "betweenness").values, rank(network, "closeness").values
     for cell, value in nx.betweenness_centrality(graph, weight="length", normalized=False).items():
-        assert rank(network, "betweenness").values[cell] == pytest.approx(value, rel=1e-12)
+        assert between[cell] == pytest.approx(value, rel=1e-12)
     for cell, value in nx.closeness_centrality(graph, distance="length").items():
-        assert rank(network, "closeness").values[cell] == pytest.approx(value, rel=1e-6)
+        assert close[cell] == pytest.approx(value, rel=1e-7)
 
 
 @pytest.mark.parametrize("make", [landscape, classes])
@@ -184,16 +183,14 @@ def test_sampling_keeps_its_promise():
         errors.append(error)
     assert misses <= 2
     assert len(set(errors)) == 20
-    # Unbiased: the mean over seeds is nearer than one sample.
-    assert np.mean(errors) > 0
 
 
 def test_sampling_is_unbiased():
     network = classes(2)
     exact = betweenness(network.probability, network.burnable)
-    draws = np.array([
-        sampled_betweenness(network.probability, network.burnable, pivots=10, seed=seed).values for seed in range(300)
-    ])
+    draws = np.array(
+        [sampled_betweenness(network.probability, network.burnable, pivots=10, seed=seed).values for seed in range(300)]
+    )
     deviation = np.abs(draws.mean(axis=0) - exact)
     spread = draws.std(axis=0) / math.sqrt(len(draws))
     assert (deviation <= 4.5 * spread + 1e-9).all()

@@ -155,9 +155,7 @@ def test_fires_cross_at_the_threshold_of_bond_percolation(weights, threshold, si
 
 def test_mirrored_landscape_burns_alike():
     network = random_network(3, (12, 17), low=0.1, high=0.5)
-    mirrored = SpreadNetwork(
-        network.probability[[0, 7, 6, 5, 4, 3, 2, 1], :, ::-1], burnable=network.burnable[:, ::-1]
-    )
+    mirrored = SpreadNetwork(network.probability[[0, 7, 6, 5, 4, 3, 2, 1], :, ::-1], burnable=network.burnable[:, ::-1])
     n_runs = 20_000
     weights = network.burnable.astype(float)
     a = simulate(network, ignitions=weights, n_runs=n_runs, seed=1)["burn_count"].to_numpy() / n_runs

@@ -23,7 +23,7 @@ from firebreak.engine import environment, errors, lookup, making, process  # noq
 posix = pytest.mark.skipif(os.name != "posix", reason="starts shell scripts")
 
 #: A stand-in for the engine: answers the handshake and does what the first argument says.
-STAND_IN = '''
+STAND_IN = """
 import json, os, sys, threading, time
 def say(**d): print(json.dumps(d), flush=True)
 if "--version" in sys.argv:
@@ -51,7 +51,7 @@ elif what in ("listen", "deaf"):
     say(progress=0.1, message=str(os.getpid()))
     while what == "deaf" or not stop.is_set(): time.sleep(0.02)
     sys.exit(130)
-'''
+"""
 
 
 @pytest.fixture(autouse=True)
@@ -141,7 +141,7 @@ def test_conda_python_comes_last(tmp_path, monkeypatch):
 
 
 def test_nothing_found_says_what_to_do():
-    with pytest.raises(errors.EngineMissingError, match="not installed.*Make engine"):
+    with pytest.raises(errors.EngineMissingError, match=r"not installed.*Make engine"):
         lookup.find_engine(lookup.Places(environment={"PATH": ""}))
 
 
@@ -152,8 +152,14 @@ def test_nothing_found_says_what_to_do():
         (lambda folder: folder, "no Python in this folder"),
         (lambda folder: _script(folder, "exit 7"), "broken.*exit code 7"),
         (lambda folder: _script(folder, "echo hello"), "not firebreak_gis"),
-        (lambda folder: _script(folder, 'echo \'{"software": "other", "version": "1"}\''), "not firebreak_gis"),
-        (lambda folder: _script(folder, 'echo \'{"software": "firebreak_gis", "version": "0.0.9"}\''), "too old"),
+        (
+            lambda folder: _script(folder, 'echo \'{"software": "other", "version": "1"}\''),
+            "not firebreak_gis",
+        ),
+        (
+            lambda folder: _script(folder, 'echo \'{"software": "firebreak_gis", "version": "0.0.9"}\''),
+            "too old",
+        ),
         (lambda folder: _script(folder, "not a program", mode=0o644), "does not start"),
     ],
 )
@@ -255,7 +261,9 @@ def test_no_orphan_when_the_caller_is_killed(program, tmp_path, blow):
         listener = process.Listener(progress=lambda f, m: print(m, flush=True))
         process.run(engine, ["listen"], listener, folder={str(tmp_path)!r})
     """)
-    started = subprocess.Popen([sys.executable, "-c", caller], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    started = subprocess.Popen(
+        [sys.executable, "-c", caller], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+    )
     with started:
         pid = int(started.stdout.readline())
         assert alive(pid)

@@ -112,9 +112,7 @@ def test_equal_data_give_equal_bytes(tmp_path):
 
 def test_creation_options_reach_the_driver(tmp_path):
     data = GRID.dataarray(values_of("breaks"), "breaks")
-    path = rasters.write_raster(
-        tmp_path / "a.tif", data, creation_options={"COMPRESS": "LZW", "BLOCKSIZE": 128}
-    )
+    path = rasters.write_raster(tmp_path / "a.tif", data, creation_options={"COMPRESS": "LZW", "BLOCKSIZE": 128})
     with rasterio.open(path) as source:
         assert source.compression.name == "lzw"
         assert source.block_shapes[0] == (128, 128)
@@ -143,9 +141,7 @@ def test_unknown_names_and_dims_are_refused(tmp_path):
     with pytest.raises(InputError, match="not a variable"):
         rasters.write_raster(tmp_path / "a.tif", GRID.dataarray(relief(ROWS, COLS), "height"))
     with pytest.raises(InputError, match="dims"):
-        rasters.write_raster(
-            tmp_path / "a.tif", GRID.dataarray(relief(ROWS, COLS), "elevation").transpose("x", "y")
-        )
+        rasters.write_raster(tmp_path / "a.tif", GRID.dataarray(relief(ROWS, COLS), "elevation").transpose("x", "y"))
 
 
 def test_overwriting_is_asked_for_and_removes_stale_companions(tmp_path):
@@ -430,9 +426,7 @@ def network(folder, descriptions=DIRECTIONS, bands=8, values=None):
     return path
 
 
-@pytest.mark.parametrize(
-    "descriptions", [DIRECTIONS, None, tuple(f"{d.lower()}: towards it" for d in DIRECTIONS)]
-)
+@pytest.mark.parametrize("descriptions", [DIRECTIONS, None, tuple(f"{d.lower()}: towards it" for d in DIRECTIONS)])
 def test_a_network_of_another_model_is_read_in_order(tmp_path, descriptions):
     data = rasters.read_variable(network(tmp_path, descriptions), "spread_probability")
     assert data.dims == ("direction", "y", "x")
@@ -442,9 +436,7 @@ def test_a_network_of_another_model_is_read_in_order(tmp_path, descriptions):
 
 def test_networks_that_do_not_fit_are_refused(tmp_path):
     with pytest.raises(InputError, match="order N NW W"):
-        rasters.read_variable(
-            network(tmp_path, ("N", "NW", "W", "SW", "S", "SE", "E", "NE")), "spread_probability"
-        )
+        rasters.read_variable(network(tmp_path, ("N", "NW", "W", "SW", "S", "SE", "E", "NE")), "spread_probability")
     with pytest.raises(InputError, match="7 bands, expected 8"):
         rasters.read_variable(network(tmp_path, bands=7), "spread_probability")
     with pytest.raises(InputError, match="up to 50, expected"):

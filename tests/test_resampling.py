@@ -9,9 +9,9 @@ from affine import Affine
 from places import NORTH_WEST, UTM, patches, relief, square
 from pyproj import Transformer
 
-from firebreak_gis import resampling
 from firebreak_gis.grid import Grid, parse_crs
-from firebreak_gis.resampling import Placed, average, bilinear, mode, nearest
+from firebreak_gis.landscape import resampling
+from firebreak_gis.landscape.resampling import Placed, average, bilinear, mode, nearest
 
 GRID = Grid((13, 9), square(47.3, (NORTH_WEST[0] + 33.3, NORTH_WEST[1] - 41.7)), parse_crs(UTM))
 PLACES = {

@@ -40,9 +40,7 @@ def study_box():
 
 def test_folder_is_small():
     files = [path for path in FOLDER.iterdir() if path.is_file()]
-    assert {f"{name}.tif" for name in RASTERS} | {f"{name}.gpkg" for name in LAYERS} <= {
-        f.name for f in files
-    }
+    assert {f"{name}.tif" for name in RASTERS} | {f"{name}.gpkg" for name in LAYERS} <= {f.name for f in files}
     assert sum(path.stat().st_size for path in files) < 2_000_000
 
 

@@ -14,17 +14,13 @@ from firebreak_gis.cli.session import Session
 @click.command("burn")
 @click.argument("network", type=kinds.RASTER)
 @options.output_file("Burn frequency GeoTIFF")
-@click.option(
-    "--breaks", "mask", type=kinds.RASTER, metavar="RASTER", help="Mask of cut cells (firebreak breaks)."
-)
+@click.option("--breaks", "mask", type=kinds.RASTER, metavar="RASTER", help="Mask of cut cells (firebreak breaks).")
 @click.option("--sizes", type=kinds.NEW_TABLE, metavar="FILE", help="Also write the fire sizes as CSV.")
 @options.residual
 @options.fires
 @options.seed
 @options.common
-def command(
-    session: Session, network: str, output: str, mask: str | None, sizes: str | None, **given: Any
-) -> None:
+def command(session: Session, network: str, output: str, mask: str | None, sizes: str | None, **given: Any) -> None:
     """Burn NETWORK many times and write how often each cell burns.
 
     With the same --seed the fires are the same with and without --breaks, so their difference is the breaks'

@@ -22,12 +22,29 @@ OUTPUTS = {
 @click.command("compare")
 @click.argument("network", type=kinds.RASTER)
 @options.output_folder
-@click.option("--methods", "method_list", type=kinds.RANKINGS, default="dissection,compartments,bonacich,flammability,random", show_default=True,
-              metavar="LIST", help="Rankings, separated by commas, parameters by colons: dissection:width=2,random.")
-@click.option("--budgets", default="0.01,0.025,0.05,0.1,0.14", show_default=True, metavar="LIST",
-              help="Shares to cut, separated by commas.")
-@click.option("--residuals", default="0,0.05,0.1", show_default=True, metavar="LIST",
-              help="Shares of its spread probability that a treated cell keeps, separated by commas; 0 is perfect.")
+@click.option(
+    "--methods",
+    "method_list",
+    type=kinds.RANKINGS,
+    default="dissection,compartments,bonacich,flammability,random",
+    show_default=True,
+    metavar="LIST",
+    help="Rankings, separated by commas, parameters by colons: dissection:width=2,random.",
+)
+@click.option(
+    "--budgets",
+    default="0.01,0.025,0.05,0.1,0.14",
+    show_default=True,
+    metavar="LIST",
+    help="Shares to cut, separated by commas.",
+)
+@click.option(
+    "--residuals",
+    default="0,0.05,0.1",
+    show_default=True,
+    metavar="LIST",
+    help="Shares of its spread probability that a treated cell keeps, separated by commas; 0 is perfect.",
+)
 @stakes.stakes
 @options.fires
 @options.seed
@@ -62,23 +79,42 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
         step = part(session.progress, 0.5 * i / len(methods), 0.5 * (i + 1) / len(methods), f"{label}: ")
         priorities[label] = rank(spread, method, setting=setting, seed=seed, progress=step, **params)
     result = compare_plans(
-        spread, priorities, budgets=budgets, residuals=residuals, value=setting.value if given["values"] else None,
-        n_runs=given["n_runs"], ignitions=given["ignitions"], ignition_mode=given["ignition_mode"], seed=seed,
+        spread,
+        priorities,
+        budgets=budgets,
+        residuals=residuals,
+        value=setting.value if given["values"] else None,
+        n_runs=given["n_runs"],
+        ignitions=given["ignitions"],
+        ignition_mode=given["ignition_mode"],
+        seed=seed,
         progress=part(session.progress, 0.5, 0.95),
-    )  # fmt: skip
+    )
     rows = comparison_table(result)
-    write_text(files[0], rows.to_csv(index=False, lineterminator="\n", float_format="%.8g"), overwrite=given["overwrite"])
+    write_text(
+        files[0], rows.to_csv(index=False, lineterminator="\n", float_format="%.8g"), overwrite=given["overwrite"]
+    )
     figure = comparison_figure(rows, n_burnable=spread.n_burnable, cell_area_ha=spread.grid.cell_area_ha)
     for name in files[1:]:
         save(figure, name, overwrite=given["overwrite"])
     parameters = {"network": network, "method_list": method_list, **given}
     kept = {k: v for k, v in parameters.items() if v is not None and k not in ("overwrite", "creation_options")}
-    files.append(write_manifest(target / "run.json", command="compare", parameters=kept, inputs=_existing(inputs),
-                                outputs=files, account={"n_burnable": spread.n_burnable},
-                                overwrite=given["overwrite"]))  # fmt: skip
+    files.append(
+        write_manifest(
+            target / "run.json",
+            command="compare",
+            parameters=kept,
+            inputs=_existing(inputs),
+            outputs=files,
+            account={"n_burnable": spread.n_burnable},
+            overwrite=given["overwrite"],
+        )
+    )
     shown = rows.pivot_table(index="method", columns=["residual", "d_f"], values="R", sort=False)
-    session.finish({"files": files}, f"mean burnt share R by residual and d_f\n{shown.to_string(float_format='%.4f')}\n"
-                   f"written to {output}")  # fmt: skip
+    session.finish(
+        {"files": files},
+        f"mean burnt share R by residual and d_f\n{shown.to_string(float_format='%.4f')}\nwritten to {output}",
+    )
 
 
 def _existing(paths: list[str]) -> list[str]:

@@ -116,6 +116,4 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
             overwrite=given["overwrite"],
         )
     )
-    session.finish(
-        {"files": files}, f"{len(priorities)} rankings at {len(budgets)} budgets; written to {output}"
-    )
+    session.finish({"files": files}, f"{len(priorities)} rankings at {len(budgets)} budgets; written to {output}")

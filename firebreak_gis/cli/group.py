@@ -90,9 +90,7 @@ def _fail(error: FirebreakError, as_json: bool) -> None:
 
 
 def _print_error(kind: str, message: str, code: int) -> None:
-    click.echo(
-        json.dumps({"error": {"kind": kind, "message": message, "exit_code": code}}, ensure_ascii=False)
-    )
+    click.echo(json.dumps({"error": {"kind": kind, "message": message, "exit_code": code}}, ensure_ascii=False))
 
 
 def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:

@@ -66,11 +66,7 @@ def read_layers(given: Mapping[str, Any], session: Session, *, progress: Progres
 
 def recorded(given: Mapping[str, Any]) -> dict[str, Any]:
     """Parameters worth keeping in run.json: those that shape the result, set ones only."""
-    return {
-        k: v
-        for k, v in sorted(given.items())
-        if k not in _TRANSIENT and v is not None and v != () and v != {}
-    }
+    return {k: v for k, v in sorted(given.items()) if k not in _TRANSIENT and v is not None and v != () and v != {}}
 
 
 def _layer_values(words: Any, option: str, kind: type) -> dict[str, Any] | None:

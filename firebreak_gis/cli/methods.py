@@ -17,9 +17,7 @@ from firebreak_gis.errors import ParameterError
 @options.common
 def command(session: Session, name: str | None) -> None:
     """List the rankings and spread models, or show one: NAME with its text and parameters."""
-    found = [
-        methods.describe(kind, n) for kind in methods.KINDS for n in methods.names(kind) if name in (None, n)
-    ]
+    found = [methods.describe(kind, n) for kind in methods.KINDS for n in methods.names(kind) if name in (None, n)]
     if not found:
         raise ParameterError(f"there is no method {name!r}; firebreak methods lists them")
     session.finish({"methods": found}, "\n".join(_full(m) for m in found) if name else _listing(found))

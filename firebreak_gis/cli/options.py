@@ -47,8 +47,7 @@ def common(command: F) -> F:
         is_eager=True,
         expose_value=False,
         callback=_load_config,
-        help="Take parameters from a TOML file, or from the run.json of an earlier run; "
-        "options given here win.",
+        help="Take parameters from a TOML file, or from the run.json of an earlier run; options given here win.",
     )
     @click.option("--json", "as_json", is_flag=True, help="Print the result as one JSON object on stdout.")
     @click.option(
@@ -57,15 +56,12 @@ def common(command: F) -> F:
         type=click.Choice(["bar", "json", "none"]),
         default="bar",
         show_default=True,
-        help="How progress is shown; json prints lines on stdout and stops when it reads "
-        "'cancel' or the end of stdin.",
+        help="How progress is shown; json prints lines on stdout and stops when it reads 'cancel' or the end of stdin.",
     )
     @click.option("-v", "--verbose", is_flag=True, help="Say more.")
     @click.option("-q", "--quiet", is_flag=True, help="Say only warnings and errors.")
     @functools.wraps(command)
-    def wrapper(
-        *args: Any, as_json: bool, progress_mode: str, verbose: bool, quiet: bool, **kwargs: Any
-    ) -> Any:
+    def wrapper(*args: Any, as_json: bool, progress_mode: str, verbose: bool, quiet: bool, **kwargs: Any) -> Any:
         session = Session(as_json, progress_mode, -1 if quiet else int(verbose))
         return command(*args, session=session, **kwargs)
 
@@ -145,12 +141,9 @@ def landscape(command: F) -> F:
             "crs",
             type=kinds.CRS,
             metavar="CRS",
-            help="CRS of the grid, projected in metres "
-            "[default: the DEM's if it is in metres, else the UTM zone].",
+            help="CRS of the grid, projected in metres [default: the DEM's if it is in metres, else the UTM zone].",
         ),
-        click.option(
-            "--res", "resolution", type=float, metavar="METRES", help="Cell size [default: the DEM's]."
-        ),
+        click.option("--res", "resolution", type=float, metavar="METRES", help="Cell size [default: the DEM's]."),
         click.option(
             "--bounds",
             type=float,
@@ -165,9 +158,7 @@ def landscape(command: F) -> F:
             metavar="LAYER=VALUE",
             help="Value that means no data in dem, vegetation or density; may be repeated.",
         ),
-        click.option(
-            "--bidx", multiple=True, metavar="LAYER=BAND", help="Band to read of dem, vegetation or density."
-        ),
+        click.option("--bidx", multiple=True, metavar="LAYER=BAND", help="Band to read of dem, vegetation or density."),
         click.option(
             "--unknown",
             type=click.Choice(["refuse", "nonburnable"]),
@@ -210,8 +201,7 @@ def spread(command: F) -> F:
             metavar="DEGREES",
             default="0",
             show_default=True,
-            help="Direction the wind comes from, clockwise from north: 270 is a west wind; a number or a "
-            "raster.",
+            help="Direction the wind comes from, clockwise from north: 270 is a west wind; a number or a raster.",
         ),
         click.option(
             "--model-param",
@@ -250,9 +240,7 @@ def ranking(command: F) -> F:
 def fires(command: F) -> F:
     """--runs, --ignitions, --ignition-mode."""
     options = [
-        click.option(
-            "--runs", "n_runs", type=int, default=100, show_default=True, help="Number of simulated fires."
-        ),
+        click.option("--runs", "n_runs", type=int, default=100, show_default=True, help="Number of simulated fires."),
         click.option(
             "--ignitions",
             type=kinds.VECTOR_OR_RASTER,
@@ -333,7 +321,7 @@ def pairs(values: tuple[str, ...] | Mapping[str, Any], option: str) -> dict[str,
     return result
 
 
-def methods_list(text: str) -> list[tuple[str, str, dict[str, str]]]:
+def methods_list(text: str) -> list[tuple[str, str, dict[str, Any]]]:
     """Split "bonacich:beta=0.2,random" into (label, method, parameters)."""
     result = []
     for word in filter(None, (w.strip() for w in text.split(","))):
@@ -342,9 +330,7 @@ def methods_list(text: str) -> list[tuple[str, str, dict[str, str]]]:
         result.append((word, name, pairs(tuple(params), "--methods")))
     labels = [label for label, _, _ in result]
     if not result or len(set(labels)) != len(labels):
-        raise ParameterError(
-            f"--methods got {text!r}, expected different names such as bonacich:beta=0.5,random"
-        )
+        raise ParameterError(f"--methods got {text!r}, expected different names such as bonacich:beta=0.5,random")
     return result
 
 

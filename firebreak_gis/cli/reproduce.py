@@ -155,9 +155,7 @@ def landscape_command(session: Session, **given: Any) -> None:
     wind = f"wind {given['wind_speed']:g} m/s from {given['wind_from']:g} degrees"
     figures = (
         paper.figure_3(landscape),
-        paper.figure_4(
-            landscape, result.fire, grey_levels(result.fire["burn_frequency"].to_numpy()), wind=wind
-        ),
+        paper.figure_4(landscape, result.fire, grey_levels(result.fire["burn_frequency"].to_numpy()), wind=wind),
         paper.figure_5(result.evaluation),
         paper.figure_6(result.window, result.breaks),
     )

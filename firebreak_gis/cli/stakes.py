@@ -1,4 +1,4 @@
-"""Options of what a planner adds to the network: costs, protected and allowed areas, barriers, values at risk."""
+"""Options of what a planner adds to the network: costs, areas where (not) to cut, barriers, values at risk."""
 
 from __future__ import annotations
 
@@ -27,17 +27,41 @@ _SOURCES = ("cost", "protected", "allowed", "barriers", "values")
 def stakes(command: F) -> F:
     """--cost, --protected, --allowed, --barriers, --values and their fields."""
     options = [
-        click.option("--cost", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Cost of cutting per hectare: a raster, polygons with --cost-field, or "
-                     "(firebreak plan only) classes such as agricultural=500,shrubs=900,pines=1500."),
+        click.option(
+            "--cost",
+            type=kinds.VECTOR_OR_RASTER,
+            metavar="PATH",
+            help="Cost of cutting per hectare: a raster, polygons with --cost-field, or "
+            "(firebreak plan only) classes such as agricultural=500,shrubs=900,pines=1500.",
+        ),
         click.option("--cost-field", metavar="NAME", help="Column of the cost polygons."),
-        click.option("--protected", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Area (raster or polygons) where nothing may be cut."),
-        click.option("--allowed", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Area (raster or polygons) outside of which nothing may be cut."),
-        click.option("--barriers", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Existing breaks, roads, rivers (raster, lines or polygons): they "
-                     "hold no fuel and cost nothing."),
-        click.option("--values", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Values at risk per cell (raster), or polygons with --values-field, "
-                     "whose number counts for each cell inside [default: 1 everywhere]."),
+        click.option(
+            "--protected",
+            type=kinds.VECTOR_OR_RASTER,
+            metavar="PATH",
+            help="Area (raster or polygons) where nothing may be cut.",
+        ),
+        click.option(
+            "--allowed",
+            type=kinds.VECTOR_OR_RASTER,
+            metavar="PATH",
+            help="Area (raster or polygons) outside of which nothing may be cut.",
+        ),
+        click.option(
+            "--barriers",
+            type=kinds.VECTOR_OR_RASTER,
+            metavar="PATH",
+            help="Existing breaks, roads, rivers (raster, lines or polygons): they hold no fuel and cost nothing.",
+        ),
+        click.option(
+            "--values",
+            type=kinds.VECTOR_OR_RASTER,
+            metavar="PATH",
+            help="Values at risk per cell (raster), or polygons with --values-field, "
+            "whose number counts for each cell inside [default: 1 everywhere].",
+        ),
         click.option("--values-field", metavar="NAME", help="Column of the value polygons."),
-    ]  # fmt: skip
+    ]
     for option in reversed(options):
         command = option(command)
     return command
@@ -48,7 +72,7 @@ def stake_files(given: Mapping[str, Any]) -> list[str]:
     return [str(given[key]) for key in _SOURCES if given.get(key) and Path(str(given[key])).is_file()]
 
 
-def read_stakes(grid: Grid, given: Mapping[str, Any], *, landscape: xr.Dataset | None = None) -> dict[str, np.ndarray]:
+def read_stakes(grid: Grid, given: Mapping[str, Any], *, landscape: xr.Dataset | None = None) -> dict[str, Any]:
     """Read what the options name onto a grid: `barriers`, `protected`, `cost` (per cell), `value`, `ignition`.
 
     Parameters
@@ -60,7 +84,7 @@ def read_stakes(grid: Grid, given: Mapping[str, Any], *, landscape: xr.Dataset |
     landscape
         Needed for costs by vegetation class.
     """
-    from firebreak_gis.planes import VECTORS, mask_plane, value_plane
+    from firebreak_gis.landscape.planes import VECTORS, mask_plane, value_plane
 
     planes: dict[str, np.ndarray] = {}
     if given["barriers"]:
@@ -93,7 +117,7 @@ def network_and_setting(network: SpreadNetwork, given: Mapping[str, Any]) -> tup
 
 def _cost(source: str, field: str | None, grid: Grid, landscape: xr.Dataset | None) -> np.ndarray:
     """Cost of cutting each cell, from costs per hectare."""
-    from firebreak_gis.planes import value_plane
+    from firebreak_gis.landscape.planes import value_plane
     from firebreak_gis.schema import VEGETATION
 
     if "=" not in source:
@@ -107,8 +131,10 @@ def _cost(source: str, field: str | None, grid: Grid, landscape: xr.Dataset | No
         try:
             rates[codes[name.strip()]] = float(number)
         except (KeyError, ValueError):
-            raise ParameterError(f"--cost got {word!r}, expected CLASS=NUMBER with a class of {', '.join(codes)}") from None
+            raise ParameterError(
+                f"--cost got {word!r}, expected CLASS=NUMBER with a class of {', '.join(codes)}"
+            ) from None
     missing = [name for name, code in codes.items() if f"{name}=" not in source.replace(" ", "")]
     if missing:
         raise ParameterError(f"--cost names no rate for {', '.join(missing)}")
-    return rates[landscape["vegetation"].to_numpy()] * grid.cell_area_ha
+    return np.asarray(rates[landscape["vegetation"].to_numpy()] * grid.cell_area_ha)

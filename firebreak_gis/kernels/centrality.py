@@ -277,9 +277,7 @@ class _Searches:
             done = min(first + self.batch, n_sources)
             yield done
 
-    def _submit(
-        self, waiting: deque[tuple[int, Future[T]]], starts: Iterator[int], batch: Callable[[int], T]
-    ) -> None:
+    def _submit(self, waiting: deque[tuple[int, Future[T]]], starts: Iterator[int], batch: Callable[[int], T]) -> None:
         first = next(starts, None)
         if first is not None:
             waiting.append((first, self._pool.submit(batch, first)))

@@ -60,9 +60,7 @@ class _Window:
         return int(self.cells[0][row, 0]), int(self.cells[1][0, col])
 
 
-def localised_bounds(
-    operator: Operator, tolerance: float, progress: Progress
-) -> tuple[float, float, np.ndarray]:
+def localised_bounds(operator: Operator, tolerance: float, progress: Progress) -> tuple[float, float, np.ndarray]:
     """Enclose the largest eigenvalue of A.
 
     Parameters
@@ -180,9 +178,7 @@ def _cut(operator: Operator, centre: tuple[int, int], half: int) -> tuple[tuple[
     return (rows, cols), grid_matrix(planes, "periodic" if whole else "open", operator.weights)
 
 
-def _window(
-    operator: Operator, centre: tuple[int, int], half: int, tolerance: float, guess: float = 0.0
-) -> _Window:
+def _window(operator: Operator, centre: tuple[int, int], half: int, tolerance: float, guess: float = 0.0) -> _Window:
     cells, matrix = _cut(operator, centre, half)
     return _Window(cells, block_bounds(matrix, tolerance, guess=guess))
 
@@ -260,9 +256,7 @@ def _raise(
     return None
 
 
-def _solve_window(
-    operator: Operator, x: np.ndarray, centre: tuple[int, int], half: int, goal: float
-) -> _Window | None:
+def _solve_window(operator: Operator, x: np.ndarray, centre: tuple[int, int], half: int, goal: float) -> _Window | None:
     """Set x to the solution of goal * x = A x in a window whose surroundings are fixed.
 
     Returns
@@ -286,7 +280,8 @@ def _solve_window(
 
 @kernel
 def _relax(
-    probability: np.ndarray, weights: np.ndarray, x: np.ndarray, queue: np.ndarray, waiting: np.ndarray, n_open: int, to: float,
+    probability: np.ndarray, weights: np.ndarray, x: np.ndarray, queue: np.ndarray,
+    waiting: np.ndarray, n_open: int, to: float,
     above: float, periodic: bool, limit: int,
 ) -> int:  # fmt: skip
     """Raise x cell by cell, first come first served, where A x > `above` * x; returns the cells left open."""

@@ -72,8 +72,15 @@ def _opposite(d: int) -> int:
 
 @kernel
 def _levels(
-    near: np.ndarray, capacity: np.ndarray, through: np.ndarray, flow: np.ndarray, end: np.ndarray,
-    rim: np.ndarray, n_rim: int, level: np.ndarray, queue: np.ndarray,
+    near: np.ndarray,
+    capacity: np.ndarray,
+    through: np.ndarray,
+    flow: np.ndarray,
+    end: np.ndarray,
+    rim: np.ndarray,
+    n_rim: int,
+    level: np.ndarray,
+    queue: np.ndarray,
 ) -> bool:
     """Steps from every node of the residual graph to the sink, by breadth-first search; whether the source has a way.
 
@@ -129,8 +136,14 @@ def _levels(
 
 @kernel
 def _blocking(
-    near: np.ndarray, capacity: np.ndarray, through: np.ndarray, flow: np.ndarray, end: np.ndarray,
-    level: np.ndarray, pointer: np.ndarray, path: np.ndarray,
+    near: np.ndarray,
+    capacity: np.ndarray,
+    through: np.ndarray,
+    flow: np.ndarray,
+    end: np.ndarray,
+    level: np.ndarray,
+    pointer: np.ndarray,
+    path: np.ndarray,
 ) -> int:
     """Send a blocking flow along the levels; the amount sent, `UNCUTTABLE` or more if nothing can stop it."""
     pointer[:] = 0
@@ -212,8 +225,13 @@ def _push(near: np.ndarray, through: np.ndarray, flow: np.ndarray, node: int, st
 
 @kernel
 def _reached(
-    near: np.ndarray, capacity: np.ndarray, through: np.ndarray, flow: np.ndarray, end: np.ndarray,
-    reached: np.ndarray, queue: np.ndarray,
+    near: np.ndarray,
+    capacity: np.ndarray,
+    through: np.ndarray,
+    flow: np.ndarray,
+    end: np.ndarray,
+    reached: np.ndarray,
+    queue: np.ndarray,
 ) -> None:
     """Set `reached[node]` to 0 where the source can send more flow to, to -1 elsewhere."""
     reached[:] = -1
@@ -270,8 +288,13 @@ def _rim(near: np.ndarray, end: np.ndarray, rim: np.ndarray) -> int:
 
 @kernel
 def best_cut(
-    near: np.ndarray, capacity: np.ndarray, ignition: np.ndarray, value: np.ndarray, orders: np.ndarray,
-    shares: np.ndarray, cut: np.ndarray,
+    near: np.ndarray,
+    capacity: np.ndarray,
+    ignition: np.ndarray,
+    value: np.ndarray,
+    orders: np.ndarray,
+    shares: np.ndarray,
+    cut: np.ndarray,
 ) -> tuple[float, float]:
     """Find the vertex cut of a patch that saves most for its cost.
 
@@ -327,9 +350,9 @@ def best_cut(
             n_rim = _rim(near, end, rim)
             while _levels(near, capacity, through, flow, end, rim, n_rim, level, queue):
                 sent += _blocking(near, capacity, through, flow, end, level, pointer, queue)
-                if sent >= UNCUTTABLE or (best > 0.0 and 0.5 <= best * sent):
+                if sent >= UNCUTTABLE or (best > 0.0 and best * sent >= 0.5):
                     break
-            if sent >= UNCUTTABLE or (best > 0.0 and 0.5 <= best * sent):
+            if sent >= UNCUTTABLE or (best > 0.0 and best * sent >= 0.5):
                 break
             for side in range(2):
                 if side == 1:

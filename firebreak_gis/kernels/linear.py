@@ -323,9 +323,7 @@ def _rows_in(
         e, w = probability[2, row], probability[6, row]
         up, at, down, out = x[row - 1], x[row], x[row + 1], y[row]
         for c in range(1, cols - 1):
-            sides = (f0 * n[c] * down[c] + f4 * s[c] * up[c]) + (
-                f2 * e[c - 1] * at[c - 1] + f6 * w[c + 1] * at[c + 1]
-            )
+            sides = (f0 * n[c] * down[c] + f4 * s[c] * up[c]) + (f2 * e[c - 1] * at[c - 1] + f6 * w[c + 1] * at[c + 1])
             rising = f1 * ne[c - 1] * down[c - 1] + f5 * sw[c + 1] * up[c + 1]
             falling = f3 * se[c - 1] * up[c - 1] + f7 * nw[c + 1] * down[c + 1]
             out[c] = shift + (sides + (rising + falling))
@@ -356,9 +354,7 @@ def _rows_dot(x: np.ndarray, y: np.ndarray, by_row: np.ndarray, first: int, stop
 
 
 @kernel
-def _rows_combine(
-    a: float, x: np.ndarray, b: float, y: np.ndarray, out: np.ndarray, first: int, stop: int
-) -> None:
+def _rows_combine(a: float, x: np.ndarray, b: float, y: np.ndarray, out: np.ndarray, first: int, stop: int) -> None:
     for row in range(first, stop):
         u, v, o = x[row], y[row], out[row]
         for c in range(u.size):

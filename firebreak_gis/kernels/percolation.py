@@ -54,7 +54,9 @@ def steps(shape: tuple[int, int], *, periodic: bool) -> Steps:
         for col_position, col_wrap in enumerate((0, cols, -cols)):
             crosses_row = (dr == -1) if row_position == 1 else (dr == 1) & (row_position == 2)
             crosses_col = (dc == -1) if col_position == 1 else (dc == 1) & (col_position == 2)
-            offsets[3 * row_position + col_position] = (dr + row_wrap * crosses_row) * cols + dc + col_wrap * crosses_col
+            offsets[3 * row_position + col_position] = (
+                (dr + row_wrap * crosses_row) * cols + dc + col_wrap * crosses_col
+            )
     position = np.zeros(0, np.uint8)
     if periodic:
         plane = np.zeros(shape, np.uint8)
@@ -68,8 +70,16 @@ def steps(shape: tuple[int, int], *, periodic: bool) -> Steps:
 
 @kernel
 def burn_runs(
-    thresholds: Thresholds, keys: np.ndarray, steps: Steps, starts: np.ndarray,
-    cells: np.ndarray, first: int, last: int, counts: np.ndarray, sizes: np.ndarray, value: np.ndarray,
+    thresholds: Thresholds,
+    keys: np.ndarray,
+    steps: Steps,
+    starts: np.ndarray,
+    cells: np.ndarray,
+    first: int,
+    last: int,
+    counts: np.ndarray,
+    sizes: np.ndarray,
+    value: np.ndarray,
     lost: np.ndarray,
 ) -> None:
     """Burn runs `first` .. `last - 1` one after another.
@@ -128,9 +138,18 @@ def burn_runs(
 
 @kernel
 def burn_block(
-    thresholds: Thresholds, keys: np.ndarray, steps: Steps, starts: np.ndarray,
-    cells: np.ndarray, first: int, last: int, burnt: np.ndarray, pending: np.ndarray, queue: np.ndarray,
-    counts: np.ndarray, sizes: np.ndarray,
+    thresholds: Thresholds,
+    keys: np.ndarray,
+    steps: Steps,
+    starts: np.ndarray,
+    cells: np.ndarray,
+    first: int,
+    last: int,
+    burnt: np.ndarray,
+    pending: np.ndarray,
+    queue: np.ndarray,
+    counts: np.ndarray,
+    sizes: np.ndarray,
 ) -> None:
     """Burn runs `first` .. `last - 1`, at most 64, at once: one bit a run.
 
@@ -238,8 +257,15 @@ def _popcount(bits: np.uint64) -> np.uint32:
 
 @kernel
 def burn_curve(
-    thresholds: Thresholds, keys: np.ndarray, steps: Steps, starts: np.ndarray,
-    cells: np.ndarray, first: int, last: int, levels: np.ndarray, burnt_at: np.ndarray,
+    thresholds: Thresholds,
+    keys: np.ndarray,
+    steps: Steps,
+    starts: np.ndarray,
+    cells: np.ndarray,
+    first: int,
+    last: int,
+    levels: np.ndarray,
+    burnt_at: np.ndarray,
 ) -> None:
     """Cells burnt at every cut level, one pass a run (a widest-path problem).
 

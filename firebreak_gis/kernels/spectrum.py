@@ -132,9 +132,7 @@ def _power_vector(
     """Power steps on a large grid, from the vector that encloses the eigenvalue."""
     if transpose:
         # Edges that would wrap on an open map are 0.
-        planes = np.stack(
-            [np.roll(planes[OPPOSITE[d]], (-ROW_STEP[d], -COL_STEP[d]), axis=(0, 1)) for d in range(8)]
-        )
+        planes = np.stack([np.roll(planes[OPPOSITE[d]], (-ROW_STEP[d], -COL_STEP[d]), axis=(0, 1)) for d in range(8)])
     with Operator(planes, boundary=boundary, threads=threads) as operator:
         lower, upper, x = localised_bounds(operator, 1e-9, part(progress, 0.0, 0.3))
         if lower == 0.0:

@@ -106,9 +106,7 @@ class Legend:
         found = index.clip(0)
         inside = (index >= 0) & (numbers < highs[found])
         inside |= (
-            (index >= 0)
-            & (numbers == highs[found])
-            & ((lows[found] == highs[found]) | (highs[found] == highs.max()))
+            (index >= 0) & (numbers == highs[found]) & ((lows[found] == highs[found]) | (highs[found] == highs.max()))
         )
         return np.where(inside, found, -1)
 
@@ -124,9 +122,7 @@ class Legend:
 def names() -> list[str]:
     """Return the names of the built-in legends, sorted."""
     folder = importlib.resources.files(__package__)
-    return sorted(
-        entry.name.removesuffix(".csv") for entry in folder.iterdir() if entry.name.endswith(".csv")
-    )
+    return sorted(entry.name.removesuffix(".csv") for entry in folder.iterdir() if entry.name.endswith(".csv"))
 
 
 def read_legend(name_or_path: str | os.PathLike[str] | Legend) -> Legend:
@@ -170,12 +166,7 @@ def parse(text: str, name: str, where: str) -> Legend:
         raise LegendError(f"{where} is empty; expected a line {','.join(COLUMNS[:4])} and one line a code")
     header = [cell.strip().lower() for cell in next(csv.reader([rows[0][1]]))]
     unknown = [cell for cell in header if cell not in COLUMNS]
-    if (
-        "code" not in header
-        or unknown
-        or not {"vegetation", "density"} & set(header)
-        or len(set(header)) < len(header)
-    ):
+    if "code" not in header or unknown or not {"vegetation", "density"} & set(header) or len(set(header)) < len(header):
         raise LegendError(
             f"{where}, line {rows[0][0]}: got the columns {', '.join(header)}, expected "
             f"{', '.join(COLUMNS[:4])} "
@@ -187,8 +178,7 @@ def parse(text: str, name: str, where: str) -> Legend:
         cells = [cell.strip() for cell in next(csv.reader([line], skipinitialspace=True))]
         if len(cells) > len(header):
             problems.append(
-                f"line {number}: {len(cells)} cells, expected at most {len(header)}; quote texts that hold "
-                f"commas"
+                f"line {number}: {len(cells)} cells, expected at most {len(header)}; quote texts that hold commas"
             )
             continue
         record = dict(zip(header, cells + [""] * (len(header) - len(cells)), strict=True))
@@ -258,8 +248,7 @@ def _class(kind: str, text: str, number: int, problems: list[str]) -> tuple[int 
         return None, None
     if not (math.isfinite(effect) and effect > -1):
         problems.append(
-            f"line {number}: the {kind} effect is {text}, expected more than -1.0; write none for what "
-            f"cannot burn"
+            f"line {number}: the {kind} effect is {text}, expected more than -1.0; write none for what cannot burn"
         )
         return None, None
     nearest = _NEAREST[kind]

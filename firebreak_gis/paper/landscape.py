@@ -160,11 +160,7 @@ def grey_levels(frequency: np.ndarray) -> np.ndarray:
         (rows, cols) int32: 16 .. 256; 0 where there is no fuel.
     """
     top = np.nanmax(frequency, initial=0.0)
-    bins = (
-        np.floor(GREY_LEVELS * np.nan_to_num(frequency) / (top or 1.0))
-        .clip(0, GREY_LEVELS - 1)
-        .astype(np.int32)
-    )
+    bins = np.floor(GREY_LEVELS * np.nan_to_num(frequency) / (top or 1.0)).clip(0, GREY_LEVELS - 1).astype(np.int32)
     return np.where(np.isnan(frequency), 0, 256 - 16 * bins)
 
 

@@ -50,7 +50,12 @@ class Params:
 
 
 def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+    network: SpreadNetwork,
+    params: Params,
+    *,
+    setting: Setting,
+    seed: int,
+    progress: Progress,
 ) -> np.ndarray:
     """Return the betweenness, a number of ordered pairs, (rows, cols) float64."""
     from firebreak_gis.kernels.centrality import betweenness, sampled_betweenness

@@ -41,7 +41,12 @@ class Params:
 
 
 def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+    network: SpreadNetwork,
+    params: Params,
+    *,
+    setting: Setting,
+    seed: int,
+    progress: Progress,
 ) -> np.ndarray:
     """Return the Bonacich centrality, (rows, cols) float64."""
     from firebreak_gis.kernels.linear import katz

@@ -30,13 +30,16 @@ if TYPE_CHECKING:
 class Params:
     """Parameters of the closeness."""
 
-    orientation: str = parameter(
-        "in", text="routes counted: to the cell (in) or from it (out)", choices=("in", "out")
-    )
+    orientation: str = parameter("in", text="routes counted: to the cell (in) or from it (out)", choices=("in", "out"))
 
 
 def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+    network: SpreadNetwork,
+    params: Params,
+    *,
+    setting: Setting,
+    seed: int,
+    progress: Progress,
 ) -> np.ndarray:
     """Return the closeness, (rows, cols) float64."""
     from firebreak_gis.kernels.centrality import closeness

@@ -38,7 +38,12 @@ class Params:
 
 
 def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+    network: SpreadNetwork,
+    params: Params,
+    *,
+    setting: Setting,
+    seed: int,
+    progress: Progress,
 ) -> np.ndarray:
     """Return the order of cutting, (rows, cols) float64, highest first."""
     from firebreak_gis.placement.dissection import dissect, lines_first, sequence

@@ -38,7 +38,12 @@ class Params:
 
 
 def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+    network: SpreadNetwork,
+    params: Params,
+    *,
+    setting: Setting,
+    seed: int,
+    progress: Progress,
 ) -> np.ndarray:
     """Return the eigenvector of the largest eigenvalue, (rows, cols) float64, largest entry 1."""
     from firebreak_gis.kernels.spectrum import perron_vector

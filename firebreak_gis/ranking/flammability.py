@@ -26,7 +26,12 @@ class Params:
 
 
 def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+    network: SpreadNetwork,
+    params: Params,
+    *,
+    setting: Setting,
+    seed: int,
+    progress: Progress,
 ) -> np.ndarray:
     """Return the mean probability of being lit, (rows, cols) float64; 0 without burnable neighbours."""
     total = np.zeros(network.shape)

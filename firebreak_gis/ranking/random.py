@@ -25,7 +25,12 @@ class Params:
 
 
 def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress  # noqa: ARG001
+    network: SpreadNetwork,
+    params: Params,
+    *,
+    setting: Setting,
+    seed: int,
+    progress: Progress,
 ) -> np.ndarray:
     """Return a uniform number a cell, (rows, cols) float64."""
     return uniforms(stream_key(seed, "ranking"), network.burnable.size).reshape(network.shape)

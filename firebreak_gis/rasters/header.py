@@ -159,9 +159,7 @@ def read_header(
         number = _choose_band(source, name, band)
         dtype = source.dtypes[number - 1]
         if np.dtype(dtype).kind not in "iufb":
-            raise InputError(
-                f"{name} holds {dtype} values, expected real numbers; extract one part of them first"
-            )
+            raise InputError(f"{name} holds {dtype} values, expected real numbers; extract one part of them first")
         full, crs = _crs_of(source)
         flags = {flag.name for flag in source.mask_flag_enums[number - 1]}
         declared = source.nodatavals[number - 1]
@@ -236,9 +234,7 @@ def require_georeferenced(header: Header) -> CRS:
         help_ = {
             "gcp": "it only has ground control points: gdalwarp -t_srs EPSG:32635 in.tif out.tif",
             "rpc": "it only has a camera model (RPC): gdalwarp -rpc -t_srs EPSG:32635 in.tif out.tif",
-        }.get(
-            header.located_by, "gdal_translate -a_srs EPSG:32635 -a_ullr LEFT TOP RIGHT BOTTOM in.tif out.tif"
-        )
+        }.get(header.located_by, "gdal_translate -a_srs EPSG:32635 -a_ullr LEFT TOP RIGHT BOTTOM in.tif out.tif")
         raise GridError(f"{where} does not say where its cells lie (no transform); {help_}")
     if header.crs is None:
         how = (
@@ -246,13 +242,10 @@ def require_georeferenced(header: Header) -> CRS:
             if header.array is None
             else 'data.rio.write_crs("EPSG:32635")'
         )
-        raise CRSError(
-            f"{where} has no coordinate reference system; assign the one it was made in, e.g. {how}"
-        )
+        raise CRSError(f"{where} has no coordinate reference system; assign the one it was made in, e.g. {how}")
     if abs(header.transform.determinant) == 0 or not all(math.isfinite(v) for v in header.transform[:6]):
         raise GridError(
-            f"{where} has cells without area (transform {tuple(header.transform[:6])}); its georeference "
-            f"is broken"
+            f"{where} has cells without area (transform {tuple(header.transform[:6])}); its georeference is broken"
         )
     require_plausible(header.crs, header.bounds, where)
     return header.crs
@@ -302,13 +295,9 @@ def _look_first(name: str, remote: bool) -> None:
     if not start:
         raise InputError(f"{name} is empty (0 bytes); copy or export it again")
     if start.startswith(b"version https://git-lfs"):
-        raise InputError(
-            f"{name} is a Git LFS pointer, a text in place of the file; fetch it with: git lfs pull"
-        )
+        raise InputError(f"{name} is a Git LFS pointer, a text in place of the file; fetch it with: git lfs pull")
     if b"<VRTDataset" in start and path.suffix.lower() != ".vrt":
-        raise InputError(
-            f"{name} is a virtual raster (VRT) under another name; name it .vrt if that is what you mean"
-        )
+        raise InputError(f"{name} is a virtual raster (VRT) under another name; name it .vrt if that is what you mean")
     if start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") and path.suffix.lower() != ".vrt":
         raise InputError(
             f"{name} is an XML or HTML text, not a raster; was it downloaded from a page that asks to log in?"
@@ -328,9 +317,7 @@ def _choose_band(source: Any, name: str, band: int | None) -> int:
     if len(data) == 1:
         return data[0]
     if {"red", "green", "blue"} <= set(colours) or {"cyan", "magenta", "yellow"} <= set(colours):
-        raise InputError(
-            f"{name} is a colour picture of a map, not a map of values; use the raster it was drawn from"
-        )
+        raise InputError(f"{name} is a colour picture of a map, not a map of values; use the raster it was drawn from")
     raise InputError(f"{name} has {source.count} bands; choose one (--bidx, or band=)")
 
 

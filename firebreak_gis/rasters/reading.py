@@ -46,9 +46,7 @@ class Cells:
     notes: tuple[str, ...] = ()
 
 
-def read_cells(
-    header: Header, window: Window | None = None, *, strict: bool = False, sentinels: bool = True
-) -> Cells:
+def read_cells(header: Header, window: Window | None = None, *, strict: bool = False, sentinels: bool = True) -> Cells:
     """Read one band, settle "no data", apply scale and offset.
 
     Parameters
@@ -96,8 +94,7 @@ def read_cells(
     if header.scale != 1 or header.offset != 0:
         values = values.astype(np.float64) * header.scale + header.offset
         notes.append(
-            f"stored numbers were multiplied by {header.scale:g} and {header.offset:g} was added, as the "
-            f"file says"
+            f"stored numbers were multiplied by {header.scale:g} and {header.offset:g} was added, as the file says"
         )
     return Cells(values, valid, tuple(notes))
 
@@ -196,9 +193,7 @@ def read_variable(
     assert grid is not None
     array = planes[0] if variable.dims[0] != "direction" else np.stack(planes)
     data = grid.dataarray(array, name, long_name=variable.text, units=variable.units)
-    provenance = {
-        key[len(TAG) :].lower(): value for key, value in headers[0].tags.items() if key.startswith(TAG)
-    }
+    provenance = {key[len(TAG) :].lower(): value for key, value in headers[0].tags.items() if key.startswith(TAG)}
     return data.assign_attrs(provenance=provenance) if provenance else data
 
 
@@ -294,8 +289,7 @@ def _require_bands(path: str | os.PathLike[str], variable: Variable, remote: boo
         if source.count != expected:
             more = f" in the order {' '.join(DIRECTIONS)}" if expected > 1 else ""
             raise InputError(
-                f"{name} has {source.count} bands, expected {expected}{more} for {variable.name} "
-                f"({variable.text})"
+                f"{name} has {source.count} bands, expected {expected}{more} for {variable.name} ({variable.text})"
             )
         told = [str(text).split(":")[0].strip().upper() if text else "" for text in source.descriptions]
     if expected > 1 and set(told) == set(DIRECTIONS) and tuple(told) != DIRECTIONS:
@@ -310,19 +304,13 @@ def _as_variable(values: np.ndarray, valid: np.ndarray, variable: Variable, path
     """Bring one band to the type of the variable; refuse what does not fit."""
     inside = values[valid]
     if variable.minimum is not None and inside.size and (low := float(inside.min())) < variable.minimum:
-        raise InputError(
-            f"{path} goes down to {low:g}, expected at least {variable.minimum:g} for {variable.name}"
-        )
+        raise InputError(f"{path} goes down to {low:g}, expected at least {variable.minimum:g} for {variable.name}")
     if variable.maximum is not None and inside.size and (high := float(inside.max())) > variable.maximum:
-        raise InputError(
-            f"{path} goes up to {high:g}, expected at most {variable.maximum:g} for {variable.name}"
-        )
+        raise InputError(f"{path} goes up to {high:g}, expected at most {variable.maximum:g} for {variable.name}")
     kind = np.dtype(variable.dtype)
     if kind.kind == "f":
         missing: Any = -np.inf if variable.name == "priority" else np.nan
         return np.where(valid, values, missing).astype(kind)
     if values.dtype.kind == "f" and not np.array_equal(inside, np.round(inside)):
-        raise InputError(
-            f"{path} holds fractions, expected whole numbers for {variable.name} ({variable.text})"
-        )
+        raise InputError(f"{path} holds fractions, expected whole numbers for {variable.name} ({variable.text})")
     return np.where(valid, values, 0).astype(kind)

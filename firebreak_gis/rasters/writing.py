@@ -92,15 +92,11 @@ def write_raster(
 def _variable_of(data: xr.DataArray) -> Variable:
     variable = VARIABLES.get(str(data.name))
     if variable is None:
-        raise InputError(
-            f"{data.name!r} is not a variable of the schema; expected one of {', '.join(VARIABLES)}"
-        )
+        raise InputError(f"{data.name!r} is not a variable of the schema; expected one of {', '.join(VARIABLES)}")
     if data.dims != variable.dims or variable.dims[-2:] != ("y", "x"):
         raise InputError(f"{variable.name} has dims {data.dims}, expected {variable.dims} with y and x last")
     if variable.dims[0] == "direction" and data.sizes["direction"] != len(DIRECTIONS):
-        raise InputError(
-            f"{variable.name} has {data.sizes['direction']} directions, expected {len(DIRECTIONS)}"
-        )
+        raise InputError(f"{variable.name} has {data.sizes['direction']} directions, expected {len(DIRECTIONS)}")
     return variable
 
 
@@ -118,21 +114,13 @@ def _stored_values(values: np.ndarray, variable: Variable) -> np.ndarray:
     if variable.name == "priority":
         if missing.any():
             raise InputError(
-                f"priority is NaN in {int(missing.sum())} cells; expected a number, or -inf where nothing "
-                f"burns"
+                f"priority is NaN in {int(missing.sum())} cells; expected a number, or -inf where nothing burns"
             )
         missing = np.isneginf(values)
     inside = values[~missing]
     if inside.size and not np.isfinite(inside).all():
-        raise InputError(
-            f"{variable.name} holds infinite values; expected finite numbers, or NaN for no data"
-        )
-    if (
-        variable.nodata is not None
-        and missing.any()
-        and kind.kind == "f"
-        and (inside == variable.nodata).any()
-    ):
+        raise InputError(f"{variable.name} holds infinite values; expected finite numbers, or NaN for no data")
+    if variable.nodata is not None and missing.any() and kind.kind == "f" and (inside == variable.nodata).any():
         raise InputError(
             f"{variable.name} holds {variable.nodata:g}, which stands for no data in files; shift the values"
         )
@@ -146,11 +134,7 @@ def _stored_values(values: np.ndarray, variable: Variable) -> np.ndarray:
             )
     if kind.kind != "f" and values.dtype.kind == "f" and not np.array_equal(inside, np.round(inside)):
         raise InputError(f"{variable.name} holds fractions, expected whole numbers")
-    filled = (
-        np.where(missing, 0 if variable.nodata is None else variable.nodata, values)
-        if missing.any()
-        else values
-    )
+    filled = np.where(missing, 0 if variable.nodata is None else variable.nodata, values) if missing.any() else values
     stored = filled.astype(kind)
     if kind.kind == "f" and variable.nodata is not None and (stored[~missing] == variable.nodata).any():
         raise InputError(
@@ -203,9 +187,7 @@ def _write(
         except FirebreakError:
             raise
         except Exception as error:  # GDAL tells a full disk by private classes, and only on closing
-            raise OutputError(
-                f"cannot write the raster {variable.name}: {error}; is the disk full?"
-            ) from error
+            raise OutputError(f"cannot write the raster {variable.name}: {error}; is the disk full?") from error
 
 
 def _describe(target: Any, variable: Variable, provenance: Mapping[str, Any]) -> None:
@@ -233,9 +215,7 @@ def _verify(part: Path, planes: np.ndarray, grid: Grid, variable: Variable) -> N
         crs = None if source.crs is None else parse_crs(source.crs.to_wkt())
         found = Grid((source.height, source.width), source.transform, crs)
         if found.shape != grid.shape or not found.transform.almost_equals(grid.transform, precision=1e-6):
-            raise VerificationError(
-                f"{variable.name}: written on {grid.describe()}, read back on {found.describe()}"
-            )
+            raise VerificationError(f"{variable.name}: written on {grid.describe()}, read back on {found.describe()}")
         if (crs is None) != (grid.crs is None):
             raise VerificationError(f"{variable.name}: the CRS was lost in the file")
         if source.nodata != variable.nodata and not (source.nodata is None and variable.nodata is None):

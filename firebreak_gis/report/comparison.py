@@ -32,9 +32,19 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
             colour = "#6c757d" if label == "random" else LINE_COLOURS[k % len(LINE_COLOURS)]
             marker = "osD^vP*X"[k % 8]
             low, high = picked["burnt_ha_low"] / total, picked["burnt_ha_high"] / total
-            axes.plot(picked["d_f"], picked["R"], color=colour, lw=1.6, marker=marker, ms=4, label=label,
-                      ls="--" if label == "random" else "-")  # fmt: skip
-            axes.fill_between(picked["d_f"], low.clip(lower=1e-4), high.clip(lower=1e-4), color=colour, alpha=0.15, lw=0)
+            axes.plot(
+                picked["d_f"],
+                picked["R"],
+                color=colour,
+                lw=1.6,
+                marker=marker,
+                ms=4,
+                label=label,
+                ls="--" if label == "random" else "-",
+            )
+            axes.fill_between(
+                picked["d_f"], low.clip(lower=1e-4), high.clip(lower=1e-4), color=colour, alpha=0.15, lw=0
+            )
         leak = "perfect breaks" if residual == 0 else f"treated cells keep {100 * residual:g} %"
         axes.set_title(leak, fontsize=10, loc="left", fontweight="bold")
         axes.set_yscale("log")
@@ -43,6 +53,11 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
         axes.tick_params(labelsize=8)
     panels[0].set_ylabel("mean burnt share of the fuel, $R$ (log)", fontsize=9)
     panels[0].set_ylim(max(5e-4, 0.6 * float(rows["R"].min())), 1.1)
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=min(len(labels), 6), fontsize=8,
-                  frameon=False)  # fmt: skip
+    figure.legend(
+        *panels[0].get_legend_handles_labels(),
+        loc="outside lower center",
+        ncols=min(len(labels), 6),
+        fontsize=8,
+        frameon=False,
+    )
     return figure

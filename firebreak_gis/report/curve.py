@@ -76,9 +76,7 @@ def draw_curve(axes: Axes, result: xr.Dataset, *, budget: float | None = None, d
     axes.legend(fontsize=8, frameon=False)
 
 
-def _mark_significance(
-    axes: Axes, result: xr.Dataset, names: list[str], baseline: str, d_f: np.ndarray
-) -> None:
+def _mark_significance(axes: Axes, result: xr.Dataset, names: list[str], baseline: str, d_f: np.ndarray) -> None:
     """Shade the budgets at which the first ranking burns significantly less, or more, than the baseline."""
     others = [name for name in names if name != baseline]
     if not others or d_f.size < 2:

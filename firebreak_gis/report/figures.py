@@ -113,8 +113,7 @@ def show_classes(axes: Axes, values: np.ndarray, grid: Grid, name: str) -> None:
         picture[values == code] = to_rgb(colour)
     show(axes, picture, grid)
     patches = [
-        Patch(facecolor=variable.colours[c], edgecolor="#666666", lw=0.4, label=t)
-        for c, t in variable.classes.items()
+        Patch(facecolor=variable.colours[c], edgecolor="#666666", lw=0.4, label=t) for c, t in variable.classes.items()
     ]
     axes.legend(
         handles=patches,
@@ -132,12 +131,8 @@ def hillshade(elevation: np.ndarray, cell_size: float) -> np.ndarray:
     """Light from the north-west at 45 degrees on a (rows, cols) terrain, 0 to 1; the vertical is doubled."""
     from matplotlib.colors import LightSource
 
-    filled = np.where(
-        np.isfinite(elevation), elevation, np.nanmin(elevation) if np.isfinite(elevation).any() else 0.0
-    )
-    return np.asarray(
-        LightSource(azdeg=315, altdeg=45).hillshade(filled, vert_exag=2.0, dx=cell_size, dy=cell_size)
-    )
+    filled = np.where(np.isfinite(elevation), elevation, np.nanmin(elevation) if np.isfinite(elevation).any() else 0.0)
+    return np.asarray(LightSource(azdeg=315, altdeg=45).hillshade(filled, vert_exag=2.0, dx=cell_size, dy=cell_size))
 
 
 def draw_breaks(axes: Axes, breaks: np.ndarray, grid: Grid) -> None:

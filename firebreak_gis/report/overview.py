@@ -113,11 +113,7 @@ def _frequency(
         draw_breaks(axes, breaks.to_numpy(), grid)
         count = int(np.count_nonzero(breaks.to_numpy()))
         axes.legend(
-            handles=[
-                Patch(
-                    color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {100 * count / n_burnable:.1f} %"
-                )
-            ],
+            handles=[Patch(color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {100 * count / n_burnable:.1f} %")],
             loc="upper left",
             fontsize=7,
             framealpha=0.85,

@@ -101,9 +101,7 @@ def figure_4(landscape: xr.Dataset, fire: xr.Dataset, grey: np.ndarray, *, wind:
     map_axes(left, grid, f"Burn frequency of {fire.attrs['n_runs']} runs, {wind}")
     show(left, shade, grid, cmap="gray", alpha=0.4, vmin=0, vmax=1)
     frequency = fire["burn_frequency"].to_numpy()
-    image = show(
-        left, np.where(frequency > 0, frequency, np.nan), grid, cmap=ramp("burn_frequency"), vmin=0, vmax=1
-    )
+    image = show(left, np.where(frequency > 0, frequency, np.nan), grid, cmap=ramp("burn_frequency"), vmin=0, vmax=1)
     figure.colorbar(image, ax=left, shrink=0.8, label="share of runs")
     map_axes(right, grid, "The same in 16 grey levels, dark burns often")
     picture = np.where(grey == 0, np.nan, grey)

@@ -87,9 +87,7 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
     burnable = landscape["burnable"].to_numpy()
     elevation = landscape["elevation"].to_numpy().astype(np.float64)
     if not np.isfinite(elevation[burnable]).all():
-        raise InputError(
-            "elevation is missing in cells that hold fuel; mark them as not burnable or fill the gaps"
-        )
+        raise InputError("elevation is missing in cells that hold fuel; mark them as not burnable or fill the gaps")
     type_effect = _effect(landscape, "vegetation", (0.0, params.agricultural, params.shrubs, params.pines))
     density_effect = _effect(landscape, "density", (0.0, params.sparse, params.normal, params.dense))
     flammability = np.maximum(params.p0 * (1.0 + type_effect) * (1.0 + density_effect), 0.0)

@@ -49,14 +49,12 @@ def forest(shape: tuple[int, int] = (50, 50), *, seed: int = 0) -> xr.Dataset:
     emptiness = uniforms(stream_key(seed, "forest"), shape[0] * shape[1]).reshape(shape)
     data = {
         "emptiness": grid.dataarray(emptiness, "emptiness", units="1", long_name="1 is empty, 0 very dense"),
-        "burnable": grid.dataarray(
-            np.ones(shape, dtype=bool), "burnable", units="1", long_name="cell holds fuel"
-        ),
+        "burnable": grid.dataarray(np.ones(shape, dtype=bool), "burnable", units="1", long_name="cell holds fuel"),
     }
     return xr.Dataset(data, attrs={"boundary": "periodic", "seed": seed})
 
 
-def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:  # noqa: ARG001 - every model has it
+def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
     """Return (8, rows, cols) float32 from `emptiness`.
 
     Raises
@@ -66,8 +64,7 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:  # noqa: A
     """
     if "emptiness" not in landscape:
         raise InputError(
-            "the artificial model needs a variable 'emptiness' in [0, 1]; make one with "
-            "spread.artificial.forest"
+            "the artificial model needs a variable 'emptiness' in [0, 1]; make one with spread.artificial.forest"
         )
     Grid.of(landscape["emptiness"])  # refuses other dimensions
     fuel = 1.0 - landscape["emptiness"].to_numpy()

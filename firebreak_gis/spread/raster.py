@@ -27,9 +27,7 @@ if TYPE_CHECKING:
 class Params:
     """Where the probabilities stand."""
 
-    path: str = parameter(
-        "", text="Eight-band raster of spread probabilities on the grid of the landscape", path=True
-    )
+    path: str = parameter("", text="Eight-band raster of spread probabilities on the grid of the landscape", path=True)
 
 
 def read_network(path: str | Path) -> SpreadNetwork:
@@ -64,9 +62,7 @@ def read_network(path: str | Path) -> SpreadNetwork:
 def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
     """Return (8, rows, cols) float32 read from `params.path`; it must lie on the grid of the landscape."""
     if not params.path:
-        raise ParameterError(
-            "the spread model 'raster' needs path=..., an eight-band raster of probabilities"
-        )
+        raise ParameterError("the spread model 'raster' needs path=..., an eight-band raster of probabilities")
     data = read_variable(params.path, "spread_probability")
     Grid.of(landscape["burnable"]).require(Grid.of(data), params.path)
     return _split(data)[0]

@@ -119,11 +119,7 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             feedback.pushInfo(f"firebreak_gis {engine.version} ({engine.origin})")
             wanted = self._destinations(parameters, context)
             values = FormValues(self, parameters, context, feedback, folder).read(self._description.fields)
-            layers = [
-                str(values[f.name])
-                for f in self._description.fields
-                if f.kind in ("raster", "vector", "file")
-            ]
+            layers = [str(values[f.name]) for f in self._description.fields if f.kind in ("raster", "vector", "file")]
             refuse_inputs(wanted, [path for path in layers if path != "None"])
             result = self._run(engine, values, wanted, folder, feedback)
             return self._deliver(result, wanted, folder / "out", context, feedback)
@@ -190,9 +186,7 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             if path is None:
                 continue
             if not (made / output.file).is_file():
-                message = QCoreApplication.translate(
-                    "Firebreak", "{} was not made: there is nothing to put in it."
-                )
+                message = QCoreApplication.translate("Firebreak", "{} was not made: there is nothing to put in it.")
                 feedback.pushWarning(message.format(output.name))
                 continue
             deliver(made / output.file, Path(path))

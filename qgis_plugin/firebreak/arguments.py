@@ -76,11 +76,7 @@ def _word(value: Any) -> str:
 
 def _alternatives(field: Field, fields: Sequence[Field], values: Mapping[str, Any]) -> list[Field]:
     """Other fields of the same option that were filled in."""
-    return [
-        f
-        for f in fields
-        if f.option == field.option and f is not field and values.get(f.name) not in (None, "")
-    ]
+    return [f for f in fields if f.option == field.option and f is not field and values.get(f.name) not in (None, "")]
 
 
 def _is_overruled(field: Field, fields: Sequence[Field], values: Mapping[str, Any]) -> bool:

@@ -80,9 +80,7 @@ class FormValues:
             pipe, layer.width(), layer.height(), layer.extent(), layer.crs(), self._context.transformContext()
         )
         if failure != QgsRasterFileWriter.WriterError.NoError:
-            message = QCoreApplication.translate(
-                "Firebreak", "The layer {} cannot be read as cells of a raster."
-            )
+            message = QCoreApplication.translate("Firebreak", "The layer {} cannot be read as cells of a raster.")
             raise QgsProcessingException(message.format(layer.name()))
         return path
 
@@ -140,9 +138,7 @@ class FormValues:
         return self._algorithm.parameterAsEnumStrings(self._parameters, field.name, self._context)
 
     def _field(self, field: Field) -> str | None:
-        return next(
-            iter(self._algorithm.parameterAsFields(self._parameters, field.name, self._context)), None
-        )
+        return next(iter(self._algorithm.parameterAsFields(self._parameters, field.name, self._context)), None)
 
     def _text(self, field: Field) -> str | None:
         return self._algorithm.parameterAsString(self._parameters, field.name, self._context).strip() or None

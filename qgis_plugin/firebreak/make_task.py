@@ -36,9 +36,7 @@ class MakeEngineTask(QgsTask):
         """Do the work, on a thread of QGIS."""
         folder, base, package = self._arguments
         try:
-            version = make_engine(
-                folder, base=base, package=package, report=self._report, cancelled=self.isCanceled
-            )
+            version = make_engine(folder, base=base, package=package, report=self._report, cancelled=self.isCanceled)
         except (EngineError, EngineCancelledError, OSError) as error:
             self._text = str(error)
             return False

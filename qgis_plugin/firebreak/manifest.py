@@ -150,9 +150,7 @@ def _description(form: forms.Form, document: dict[str, Any]) -> Description:
             fields += _fields(option, form, _either(document))
     order = {name: place for place, name in enumerate(form.main)}
     fields.sort(key=lambda f: (f.advanced, f.method is not None, order.get(f.option, len(order))))
-    kinds = {
-        kind for option, kind in forms.METHOD_OPTIONS.values() if any(f.option == option for f in fields)
-    }
+    kinds = {kind for option, kind in forms.METHOD_OPTIONS.values() if any(f.option == option for f in fields)}
     if any(f.kind == "choices" for f in fields):
         kinds.add("ranking")
     return Description(
@@ -262,9 +260,7 @@ def _outputs(form: forms.Form, command: dict[str, Any]) -> Iterator[Output]:
     for option in command["parameters"]:
         if option["type"] in suffixes and option["name"] != "output":
             file = option["name"] + suffixes[option["type"]]
-            yield _output(
-                form, file, _label(option["name"]), forms.RENAMED.get(option["name"]), option["flags"][-1]
-            )
+            yield _output(form, file, _label(option["name"]), forms.RENAMED.get(option["name"]), option["flags"][-1])
 
 
 def _output(form: forms.Form, file: str, label: str, name: str | None = None, flag: str = "") -> Output:

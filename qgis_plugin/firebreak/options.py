@@ -74,9 +74,7 @@ class OptionsPage(QgsOptionsPageWidget):
         form = QFormLayout(group)
         self._engine = QgsFileWidget()
         self._engine.setFilePath(settings.engine_setting())
-        self._engine.setDialogTitle(
-            translate("Firebreak", "Python with firebreak_gis, or the firebreak program")
-        )
+        self._engine.setDialogTitle(translate("Firebreak", "Python with firebreak_gis, or the firebreak program"))
         self._engine.lineEdit().setPlaceholderText(translate("Firebreak", "empty: found by itself"))
         form.addRow(translate("Firebreak", "Python or program"), self._engine)
         check = QPushButton(translate("Firebreak", "Check"))
@@ -101,9 +99,7 @@ class OptionsPage(QgsOptionsPageWidget):
         text.setWordWrap(True)
         form.addRow(text)
         self._base = QgsFileWidget()
-        self._base.lineEdit().setPlaceholderText(
-            translate("Firebreak", "empty: the newest of 3.11 to 3.13 found")
-        )
+        self._base.lineEdit().setPlaceholderText(translate("Firebreak", "empty: the newest of 3.11 to 3.13 found"))
         form.addRow(translate("Firebreak", "Python to make it from"), self._base)
         self._package = QLineEdit(settings.package_setting(""))
         self._package.setPlaceholderText(PACKAGE)

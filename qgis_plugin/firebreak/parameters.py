@@ -44,9 +44,7 @@ def input_parameter(field: Field) -> QgsProcessingParameterDefinition:
         "extent": lambda: QgsProcessingParameterExtent(field.name, label, optional=optional),
         "number": lambda: _number(field, label, QgsProcessingParameterNumber.Type.Double),
         "integer": lambda: _number(field, label, QgsProcessingParameterNumber.Type.Integer),
-        "boolean": lambda: QgsProcessingParameterBoolean(
-            field.name, label, bool(field.default), optional=optional
-        ),
+        "boolean": lambda: QgsProcessingParameterBoolean(field.name, label, bool(field.default), optional=optional),
         "choice": lambda: _choice(field, label, several=False),
         "choices": lambda: _choice(field, label, several=True),
         "text": lambda: QgsProcessingParameterString(field.name, label, field.default, optional=optional),
@@ -62,9 +60,7 @@ def output_parameter(output: Output) -> QgsProcessingParameterDefinition:
     """Return the QGIS destination for an output."""
     label = translated(output.label)
     if output.kind == "raster":
-        return QgsProcessingParameterRasterDestination(
-            output.name, label, optional=True, createByDefault=output.shown
-        )
+        return QgsProcessingParameterRasterDestination(output.name, label, optional=True, createByDefault=output.shown)
     if output.kind == "vector":
         return QgsProcessingParameterVectorDestination(
             output.name,
@@ -79,9 +75,7 @@ def output_parameter(output: Output) -> QgsProcessingParameterDefinition:
 
 
 def _number(field: Field, label: str, kind: Any) -> QgsProcessingParameterNumber:
-    parameter = QgsProcessingParameterNumber(
-        field.name, label, kind, field.default, optional=field.default is None
-    )
+    parameter = QgsProcessingParameterNumber(field.name, label, kind, field.default, optional=field.default is None)
     if field.low is not None:
         parameter.setMinimum(field.low)
     if field.high is not None:

@@ -53,9 +53,7 @@ class Styler(QgsProcessingLayerPostProcessorInterface):
         if style is not None:
             layer.loadNamedStyle(str(style))
             layer.triggerRepaint()
-        layer.setCustomProperty(
-            _RANK, DRAWING_ORDER.index(self._output) if self._output in DRAWING_ORDER else 99
-        )
+        layer.setCustomProperty(_RANK, DRAWING_ORDER.index(self._output) if self._output in DRAWING_ORDER else 99)
         # The layers of one run arrive one by one; when all are there they are put in order.
         QTimer.singleShot(0, arrange)
 

@@ -45,22 +45,14 @@ def help_page(description: Description) -> str:
     parts += [_entry(field) for field in description.fields if field.help and not field.method]
     if description.methods:
         parts.append(f"<h3>{escape(QCoreApplication.translate('Firebreak', 'Methods'))}</h3>")
-        parts += [
-            f"<p><b>{escape(m['name'])}</b>: {escape(translated(m['summary']))}</p>"
-            for m in description.methods
-        ]
+        parts += [f"<p><b>{escape(m['name'])}</b>: {escape(translated(m['summary']))}</p>" for m in description.methods]
     if description.outputs:
         parts.append(f"<h3>{escape(QCoreApplication.translate('Firebreak', 'Outputs'))}</h3>")
-        parts += [
-            f"<p><b>{output.name}</b>: {escape(translated(output.label))}</p>"
-            for output in description.outputs
-        ]
+        parts += [f"<p><b>{output.name}</b>: {escape(translated(output.label))}</p>" for output in description.outputs]
     return "\n".join(parts)
 
 
 def _entry(field: Field) -> str:
-    bounds = [
-        f"{word} {value:g}" for word, value in (("from", field.low), ("to", field.high)) if value is not None
-    ]
+    bounds = [f"{word} {value:g}" for word, value in (("from", field.low), ("to", field.high)) if value is not None]
     tail = f" ({' '.join(bounds)})" if bounds else ""
     return f"<p><b>{escape(translated(field.label))}</b>{tail}: {escape(translated(field.help))}</p>"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import heapq
 from fractions import Fraction
 
 import numpy as np
@@ -85,33 +86,31 @@ def edges(network: SpreadNetwork) -> list[tuple[int, int, Fraction]]:
 
 
 def dependencies(network: SpreadNetwork, source: int) -> np.ndarray:
-    """Share of shortest paths from `source` through each cell, summed over targets; paths counted exactly."""
-    leaving: dict[int, list[tuple[int, Fraction]]] = {}
+    """Share of shortest paths from `source` through each cell, summed over targets; paths counted as integers."""
+    leaving: dict[int, list[tuple[int, int]]] = {}
     for a, b, step in edges(network):
-        leaving.setdefault(a, []).append((b, step))
-    distance: dict[int, Fraction] = {source: Fraction(0)}
-    n_paths = {source: 1}
+        leaving.setdefault(a, []).append((b, int(step * 2**24)))
+    distance, n_paths = {source: 0}, {source: 1}
     before: dict[int, list[int]] = {source: []}
-    unsettled, order = {source}, []
-    while unsettled:
-        cell = min(unsettled, key=lambda c: (distance[c], c))
-        unsettled.remove(cell)
+    waiting, order, settled = [(0, source)], [], set()
+    while waiting:
+        _, cell = heapq.heappop(waiting)
+        if cell in settled:
+            continue
+        settled.add(cell)
         order.append(cell)
         for target, step in leaving.get(cell, []):
             reach = distance[cell] + step
             if target not in distance or reach < distance[target]:
                 distance[target], n_paths[target], before[target] = reach, n_paths[cell], [cell]
-                unsettled.add(target)
+                heapq.heappush(waiting, (reach, target))
             elif reach == distance[target]:
                 n_paths[target] += n_paths[cell]
                 before[target].append(cell)
-    through = dict.fromkeys(order, 0.0)
+    through = np.zeros(network.burnable.size)
     for cell in reversed(order):
         for previous in before[cell]:
-            # The quotient of two whole numbers of any size, rounded once.
-            through[previous] += n_paths[previous] / n_paths[cell] * (1.0 + through[cell])
-    result = np.zeros(network.burnable.size)
-    for cell in order:
-        if cell != source:
-            result[cell] = through[cell]
-    return result.reshape(network.shape)
+            # Division of integers of any size is rounded once.
+            through[previous] += n_paths[previous] / n_paths[cell] * (1 + through[cell])
+    through[source] = 0
+    return through.reshape(network.shape)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-import subprocess  # nosec B404 - the engine is a program of its own
+import subprocess  # nosec B404 # the engine is a program of its own
 import sys
 from collections.abc import Mapping
 from pathlib import Path

@@ -6,7 +6,7 @@ import json
 import os
 import re
 import shutil
-import subprocess  # nosec B404 - the engine is a program of its own
+import subprocess  # nosec B404 # the engine is a program of its own
 import sys
 import tempfile
 from collections.abc import Mapping
@@ -151,7 +151,7 @@ def handshake(command: tuple[str, ...]) -> str:
         If the program does not start, is not firebreak_gis, or is older than `OLDEST`.
     """
     try:
-        answer = subprocess.run(  # nosec B603 - argument list, no shell, program chosen by the user
+        answer = subprocess.run(  # nosec B603 # argument list, no shell, program chosen by the user
             [*command, "--version", "--json"],
             stdin=subprocess.DEVNULL,
             capture_output=True,

@@ -6,7 +6,7 @@ import os
 import queue
 import re
 import shutil
-import subprocess  # nosec B404 - pip is a program of its own
+import subprocess  # nosec B404 # pip is a program of its own
 import sys
 import threading
 from collections import deque
@@ -82,16 +82,12 @@ def make_engine(
             )
         )
     if folder.exists() and not (folder / "pyvenv.cfg").is_file():
-        raise EngineError(
-            f"The folder {folder} holds something else than an environment; move it away first."
-        )
+        raise EngineError(f"The folder {folder} holds something else than an environment; move it away first.")
     forget()
     try:
         shutil.rmtree(folder, ignore_errors=True)
         report(0.0, f"Making an environment with {base}")
-        _step(
-            "making the environment", [str(base), "-I", "-m", "venv", str(folder)], lambda _: None, cancelled
-        )
+        _step("making the environment", [str(base), "-I", "-m", "venv", str(folder)], lambda _: None, cancelled)
         python = interpreter_in(folder)
         if python is None:
             raise EngineError(f"{base} made no environment in {folder}.")
@@ -146,7 +142,7 @@ def _release(python: Path) -> tuple[int, int]:
     if python == Path(sys.executable):
         return sys.version_info[0], sys.version_info[1]
     try:
-        answer = subprocess.run(  # nosec B603 - argument list, no shell, interpreters found on the PATH
+        answer = subprocess.run(  # nosec B603 # argument list, no shell, interpreters found on the PATH
             [str(python), "-I", "--version"],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -161,14 +157,12 @@ def _release(python: Path) -> tuple[int, int]:
     return (int(found.group(1)), int(found.group(2))) if found else (0, 0)
 
 
-def _step(
-    what: str, command: Sequence[str], said: Callable[[str], None], cancelled: Callable[[], bool]
-) -> None:
+def _step(what: str, command: Sequence[str], said: Callable[[str], None], cancelled: Callable[[], bool]) -> None:
     options: dict[str, Any] = start_options()
     if os.name != "nt":
         options["start_new_session"] = True  # pip starts processes of its own; all are ended together
     try:
-        process = subprocess.Popen(  # nosec B603 - argument list, no shell, interpreter chosen by the user
+        process = subprocess.Popen(  # nosec B603 # argument list, no shell, interpreter chosen by the user
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options
         )
     except OSError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import queue
-import subprocess  # nosec B404 - the engine is a program of its own
+import subprocess  # nosec B404 # the engine is a program of its own
 import threading
 import time
 from collections import deque
@@ -46,9 +46,7 @@ class Listener:
     cancelled: Callable[[], bool] = bool
 
 
-def run(
-    engine: Engine, arguments: Sequence[str], listener: Listener | None = None, *, folder: str
-) -> dict[str, Any]:
+def run(engine: Engine, arguments: Sequence[str], listener: Listener | None = None, *, folder: str) -> dict[str, Any]:
     """Run one command of the engine and return its result.
 
     Parameters
@@ -72,7 +70,7 @@ def run(
     listener = listener or Listener()
     command = [*engine.command, arguments[0], "--json", "--progress", "json", *arguments[1:]]
     try:
-        process = subprocess.Popen(  # nosec B603 - argument list, no shell, program chosen by the user
+        process = subprocess.Popen(  # nosec B603 # argument list, no shell, program chosen by the user
             command,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
@@ -85,9 +83,7 @@ def run(
     complaints: deque[str] = deque(maxlen=_KEPT_LINES)
     lines: queue.Queue[str | None] = queue.Queue()
     readers = [
-        threading.Thread(
-            target=_read, args=(process.stdout, lines.put, lambda: lines.put(None)), daemon=True
-        ),
+        threading.Thread(target=_read, args=(process.stdout, lines.put, lambda: lines.put(None)), daemon=True),
         threading.Thread(target=_read, args=(process.stderr, complaints.append, _ignore), daemon=True),
     ]
     try:
@@ -179,9 +175,7 @@ def _result(told: dict[str, Any], code: int, complaints: Iterable[str]) -> dict[
         return told["result"]
     error = told.get("error")
     if isinstance(error, dict):
-        raise EngineFailedError(
-            str(error.get("message", "")), kind=str(error.get("kind", "error")), exit_code=code
-        )
+        raise EngineFailedError(str(error.get("message", "")), kind=str(error.get("kind", "error")), exit_code=code)
     if code < 0 or code in (137, 0xC0000005):
         cause = f"signal {-code}" if code < 0 else f"code {code}"
         raise EngineFailedError(
