@@ -6,7 +6,8 @@ A method file holds a frozen dataclass `Params` and
 
 and needs no registration: its file name is its name. `setting` holds costs, protected cells, values at risk and
 where fires start; a method uses what it can. Cells without fuel and protected cells get -inf here, whatever the
-method returned for them. `rank` below is the only way in.
+method returned for them. A method whose result depends on how ties between equally good plans are broken says so
+by `UNIQUE = False`. `rank` below is the only way in.
 """
 
 from __future__ import annotations
@@ -76,6 +77,8 @@ def rank(
             f"ranking {method!r} returned shape {priority.shape} or NaN, expected {network.shape} without NaN"
         )
     priority[~network.burnable | setting.protected] = -np.inf
+    if progress is not None:
+        progress(1.0, f"{method} done")
     from firebreak_gis.schema import annotate
 
     return annotate(network.grid.dataarray(priority, "priority")).assign_attrs(method=method)

@@ -1,4 +1,4 @@
-"""Nested minimum cuts: walls that split the landscape into compartments, those that save most for their cost first.
+"""Nested minimum cuts: walls between compartments, those that save most for their cost first.
 
 Each compartment is split by the exact minimum vertex cut between opposite ends, in several directions, that saves
 the largest expected loss for its cost; the pieces are split in turn. Costs are the capacities, protected cells are
@@ -27,6 +27,10 @@ if TYPE_CHECKING:
     from firebreak_gis.progress import Progress
     from firebreak_gis.setting import Setting
 
+#: Walls of equal cost are many, and the order of the cells decides between them: turned maps give plans that are
+#: equally good, not the same cell by cell.
+UNIQUE = False
+
 
 @dataclass(frozen=True)
 class Params:
@@ -46,11 +50,13 @@ def rank(
     progress: Progress,
 ) -> np.ndarray:
     """Return the order of cutting, (rows, cols) float64, highest first."""
+    from firebreak_gis.kernels.linear import degree
     from firebreak_gis.placement.dissection import dissect, lines_first, sequence
 
     cuts = dissect(network, setting, directions=params.directions, smallest=params.smallest, progress=progress)
     order = sequence([c.saved for c in cuts], [c.cost for c in cuts], [c.parent for c in cuts])
-    score = np.zeros(network.shape)
+    # The most flammable first where no compartment tells cells apart; below 1, since compartments count whole cells.
+    score = np.asarray(degree(network.probability, boundary=network.boundary, transpose=True)) / 9.0
     for cut in cuts:  # parents come first, so the smallest compartment of a cell counts
-        score.ravel()[cut.compartment] = cut.compartment.size
+        score.ravel()[cut.compartment] = cut.compartment.size + score.ravel()[cut.compartment] % 1.0
     return lines_first([cuts[i].cells for i in order], setting, score)
