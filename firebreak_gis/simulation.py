@@ -7,7 +7,7 @@ open edges with and without breaks, and neither the number of threads nor the or
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,10 +22,13 @@ from firebreak_gis.workers import run_pieces, thread_count
 if TYPE_CHECKING:
     import xarray as xr
 
+    from firebreak_gis.kernels.lanes import Lanes
     from firebreak_gis.network import SpreadNetwork
 
-#: Runs a thread does before it looks for the next piece; never more than one block of 64 lanes.
-_PIECE = 64
+#: Runs made one by one before it is decided whether blocks of 64 pay.
+_PILOT = 4
+#: Runs that a thread makes one by one before it looks for the next piece.
+_PIECE = 8
 
 
 def simulate(
@@ -81,8 +84,8 @@ def simulate(
     Memory: 32 B a cell for the draw thresholds and up to 100 B a cell and thread, whatever the number of
     runs.
     """
-    from firebreak_gis.kernels.draws import run_keys, thresholds
-    from firebreak_gis.kernels.percolation import burn_runs, steps
+    from firebreak_gis.kernels.lanes import burn_block
+    from firebreak_gis.kernels.percolation import burn_runs
 
     start = resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, seed=seed)
     cells = start.cells
@@ -91,22 +94,28 @@ def simulate(
         burnt_network = network.treated(breaks, residual=residual)
         if residual == 0.0:
             cells = np.where(network.mask(breaks, "breaks").ravel()[cells], -1, cells)
-    limits = thresholds(burnt_network.probability)
-    keys = run_keys(seed, "edges", n_runs)
-    grid_steps = steps(network.shape, periodic=network.boundary == "periodic")
+    fires = _Fires(burnt_network, start.starts, cells, n_runs=n_runs, seed=seed)
     counts = np.zeros(network.burnable.size, np.uint32)
     sizes = np.zeros(n_runs, np.int64)
     worth = np.zeros(0) if value is None else network.plane(value, "value").astype(np.float64).ravel()
     lost = np.zeros(n_runs)
     adding = threading.Lock()
 
-    def burn(piece: tuple[int, int]) -> None:
+    def one_by_one(first: int, last: int) -> None:
         own = np.zeros_like(counts)
-        burn_runs(limits, keys, grid_steps, start.starts, cells, piece[0], piece[1], own, sizes, worth, lost)
+        burn_runs(*fires.given, first, last, own, sizes, worth, lost)
         with adding:
             np.add(counts, own, out=counts)
 
-    run_pieces(burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning")
+    def together(first: int, last: int) -> None:
+        own = np.zeros_like(counts)
+        burn_block(*fires.given, first, last, fires.lanes(), own, sizes)
+        with adding:
+            np.add(counts, own, out=counts)
+
+    # Values are added up run by run, so that their sum has one order.
+    block = together if value is None else None
+    fires.run(one_by_one, block, lambda: (counts, sizes[:_PILOT]), threads=threads, progress=progress)
     burns = _burns(network, counts.reshape(network.shape), sizes, seed)
     return burns if value is None else burns.assign(value_lost=annotate(_by_run(lost, "value_lost")))
 
@@ -145,21 +154,22 @@ def burn_curve(
     """
     import xarray as xr
 
-    from firebreak_gis.kernels.draws import run_keys, thresholds
-    from firebreak_gis.kernels.percolation import burn_curve as burn_levels
-    from firebreak_gis.kernels.percolation import steps
+    from firebreak_gis.kernels.lanes import curve_block
+    from firebreak_gis.kernels.percolation import burn_curve as curve_runs
 
     start = resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, seed=seed)
     levels = cut_levels(network, priority, budgets).ravel()
-    limits = thresholds(network.probability)
-    keys = run_keys(seed, "edges", n_runs)
-    grid_steps = steps(network.shape, periodic=network.boundary == "periodic")
+    fires = _Fires(network, start.starts, start.cells, n_runs=n_runs, seed=seed)
     burnt = np.zeros((n_runs, len(budgets)), np.int64)
 
-    def burn(piece: tuple[int, int]) -> None:
-        burn_levels(limits, keys, grid_steps, start.starts, start.cells, piece[0], piece[1], levels, burnt)
+    def one_by_one(first: int, last: int) -> None:
+        curve_runs(*fires.given, first, last, levels, burnt)
 
-    run_pieces(burn, _pieces(n_runs, threads), threads=threads, progress=progress or silent, message="burning")
+    def together(first: int, last: int) -> None:
+        curve_block(*fires.given, first, last, levels, fires.lanes(curve=True), burnt)
+
+    fuel = network.burnable.ravel()
+    fires.run(one_by_one, together, lambda: (fuel, burnt[:_PILOT, 0]), threads=threads, progress=progress)
     return xr.DataArray(
         burnt,
         dims=("run", "budget"),
@@ -193,10 +203,56 @@ def cut_levels(
     return levels.astype(np.int32)
 
 
-def _pieces(n_runs: int, threads: int | None) -> list[tuple[int, int]]:
-    """Runs in pieces of at most 64 that keep all threads busy."""
-    size = min(_PIECE, -(-n_runs // thread_count(threads)))
-    return [(first, min(first + size, n_runs)) for first in range(0, n_runs, size)]
+class _Fires:
+    """What all kernels are given, and how runs are shared out among threads.
+
+    Whether runs are made one by one or 64 at once changes the speed only: both read the same draws.
+    """
+
+    def __init__(
+        self, network: SpreadNetwork, starts: np.ndarray, cells: np.ndarray, *, n_runs: int, seed: int
+    ) -> None:
+        from firebreak_gis.kernels.draws import run_keys, thresholds
+        from firebreak_gis.kernels.percolation import steps
+
+        self.shape = network.shape
+        self.n_runs = n_runs
+        grid_steps = steps(network.shape, periodic=network.boundary == "periodic")
+        self.given = (thresholds(network.probability), run_keys(seed, "edges", n_runs), grid_steps, starts, cells)
+        self._own = threading.local()
+
+    def lanes(self, *, curve: bool = False) -> Lanes:
+        """Return the calling thread's state of a block, made once."""
+        from firebreak_gis.kernels.lanes import lanes
+
+        if not hasattr(self._own, "state"):
+            self._own.state = lanes(self.shape, curve=curve)
+        state: Lanes = self._own.state
+        return state
+
+    def run(
+        self,
+        one_by_one: Callable[[int, int], None],
+        together: Callable[[int, int], None] | None,
+        pilot: Callable[[], tuple[np.ndarray, np.ndarray]],
+        *,
+        threads: int | None,
+        progress: Progress | None,
+    ) -> None:
+        """Make all runs; `pilot` tells, after the first ones, in which cells and how much has burnt."""
+        from firebreak_gis.kernels.lanes import LANES, block_pays
+
+        report = progress or silent
+        n_threads = thread_count(threads)
+        done = min(_PILOT, self.n_runs)
+        report(0.0, "burning")
+        one_by_one(0, done)
+        share = -(-(self.n_runs - done) // n_threads)
+        work, size = one_by_one, min(_PIECE, share)
+        if together is not None and share > _PILOT and block_pays(*pilot(), min(LANES, share)):
+            work, size = together, min(LANES, share)
+        pieces = [(first, min(first + size, self.n_runs)) for first in range(done, self.n_runs, max(size, 1))]
+        run_pieces(lambda piece: work(*piece), pieces, threads=threads, progress=report, message="burning")
 
 
 def _burns(network: SpreadNetwork, counts: np.ndarray, sizes: np.ndarray, seed: int) -> xr.Dataset:

@@ -51,21 +51,21 @@ def run_pieces(
         See `thread_count`.
     progress
         Told the share of pieces done, at least five times a second. If it raises, pieces not yet begun are
-        dropped and the exception passes through once those at work have ended.
+        dropped and the exception passes through at once.
     message
         Text for `progress`.
     """
     done = 0
-    with ThreadPoolExecutor(thread_count(threads)) as pool:
+    pool = ThreadPoolExecutor(thread_count(threads))
+    try:
         waiting = {pool.submit(work, piece) for piece in pieces}
-        try:
-            while waiting:
-                progress(done / len(pieces), message)
-                finished, waiting = wait(waiting, timeout=_LISTEN_EVERY, return_when=FIRST_COMPLETED)
-                for future in finished:
-                    future.result()
-                done += len(finished)
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
+        while waiting:
+            progress(done / len(pieces), message)
+            finished, waiting = wait(waiting, timeout=_LISTEN_EVERY, return_when=FIRST_COMPLETED)
+            for future in finished:
+                future.result()
+            done += len(finished)
+    finally:
+        # Not waited for: what is at work ends by itself, and its results are not looked at after a stop.
+        pool.shutdown(wait=False, cancel_futures=True)
     progress(1.0, message)

@@ -1,6 +1,7 @@
-"""Directed bond percolation on the grid: one fire, 64 fires at once, and the whole curve in one pass.
+"""Directed bond percolation on the grid, run by run: one fire, and its whole curve in one pass.
 
-All kernels read the same draws (`kernels.draws`), so they agree to the bit. Common arguments:
+`kernels.lanes` does the same for 64 runs at once. All read the same draws (`kernels.draws`), so they agree to the
+bit. Common arguments:
 
 thresholds
     `draws.Thresholds`. Edges that leave an open grid have threshold 0 and never open, which is why no kernel
@@ -134,125 +135,6 @@ def burn_runs(
             for i in range(tail):
                 total += value[queue[i]]
             lost[run] = total
-
-
-@kernel
-def burn_block(
-    thresholds: Thresholds,
-    keys: np.ndarray,
-    steps: Steps,
-    starts: np.ndarray,
-    cells: np.ndarray,
-    first: int,
-    last: int,
-    burnt: np.ndarray,
-    pending: np.ndarray,
-    queue: np.ndarray,
-    counts: np.ndarray,
-    sizes: np.ndarray,
-) -> None:
-    """Burn runs `first` .. `last - 1`, at most 64, at once: one bit a run.
-
-    Parameters
-    ----------
-    burnt, pending
-        (n_cells,) uint64, all zero; zero again on return.
-    queue
-        (n_cells,) uint32, scratch.
-    counts, sizes
-        As in `burn_runs`.
-    """
-    n_cells = np.uint64(thresholds.top.shape[0])
-    periodic = steps.position.size > 0
-    lit = np.empty(8, np.uint64)
-    tail = _ZERO
-    waiting = 0
-    for run in range(first, last):
-        bit = _ONE << np.uint64(run - first)
-        for i in range(starts[run], starts[run + 1]):
-            if cells[i] >= 0:
-                cell = np.uint64(cells[i])
-                if pending[cell] == _ZERO:
-                    queue[tail] = np.uint32(cell)
-                    tail = tail + _ONE if tail + _ONE < n_cells else _ZERO
-                    waiting += 1
-                pending[cell] |= bit
-                burnt[cell] |= bit
-    # A cell waits in the ring at most once, however many runs have lit it meanwhile.
-    head = _ZERO
-    while waiting > 0:
-        cell = np.uint64(queue[head])
-        head = head + _ONE if head + _ONE < n_cells else _ZERO
-        waiting -= 1
-        _open_lanes(pending[cell], keys, first, cell, thresholds, lit)
-        pending[cell] = _ZERO
-        position = np.uint8(0)
-        if periodic:
-            position = steps.position[cell]
-        for d in range(8):
-            if lit[d] != _ZERO:
-                target = cell + steps.offsets[position, d]
-                fresh = lit[d] & ~burnt[target]
-                if fresh != _ZERO:
-                    burnt[target] |= fresh
-                    if pending[target] == _ZERO:
-                        queue[tail] = np.uint32(target)
-                        tail = tail + _ONE if tail + _ONE < n_cells else _ZERO
-                        waiting += 1
-                    pending[target] |= fresh
-    _tally(burnt, first, last, counts, sizes)
-
-
-@inlined
-def _open_lanes(
-    lanes: np.uint64, keys: np.ndarray, first: int, cell: np.uint64, thresholds: Thresholds, lit: np.ndarray
-) -> None:
-    """Set `lit[d]` to those of `lanes` in which the edge of `cell` in direction d is open."""
-    for d in range(8):
-        lit[d] = _ZERO
-    top = thresholds.top[cell]
-    for group in range(8):
-        members = (lanes >> np.uint64(8 * group)) & np.uint64(255)
-        if members != _ZERO:
-            opened = _ZERO  # bit j of byte d: lane j of the group, direction d
-            for j in range(8):
-                if (members >> np.uint64(j)) & _ONE:
-                    key = keys[np.uint64(first + 8 * group + j)]
-                    edges = open_edges(key, cell, top, thresholds.rest)
-                    opened |= (edges >> np.uint64(7)) << np.uint64(j)
-            for d in range(8):
-                lit[d] |= ((opened >> np.uint64(8 * d)) & np.uint64(255)) << np.uint64(8 * group)
-
-
-@kernel
-def _tally(burnt: np.ndarray, first: int, last: int, counts: np.ndarray, sizes: np.ndarray) -> None:
-    """Add the bits of `burnt` up by cell and by run, and clear it."""
-    # Sixty-four counters side by side: digit k of the counter of lane i is bit i of digits[k].
-    digits = np.zeros(48, np.uint64)
-    for cell in range(burnt.shape[0]):
-        carry = burnt[cell]
-        if carry != _ZERO:
-            burnt[cell] = _ZERO
-            counts[cell] += _popcount(carry)
-            k = 0
-            while carry != _ZERO:
-                overflow = digits[k] & carry
-                digits[k] ^= carry
-                carry = overflow
-                k += 1
-    for run in range(first, last):
-        size = 0
-        for k in range(48):
-            size |= np.int64((digits[k] >> np.uint64(run - first)) & _ONE) << k
-        sizes[run] = size
-
-
-@inlined
-def _popcount(bits: np.uint64) -> np.uint32:
-    x = bits - ((bits >> np.uint64(1)) & np.uint64(0x5555555555555555))
-    x = (x & np.uint64(0x3333333333333333)) + ((x >> np.uint64(2)) & np.uint64(0x3333333333333333))
-    x = (x + (x >> np.uint64(4))) & np.uint64(0x0F0F0F0F0F0F0F0F)
-    return np.uint32((x * np.uint64(0x0101010101010101)) >> np.uint64(56))
 
 
 @kernel
