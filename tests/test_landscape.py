@@ -26,6 +26,7 @@ from firebreak_gis.errors import (
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.landscape import (
     alignment,
+    memory_needed,
     read_landscape,
     read_landscape_folder,
     target_grid,
@@ -713,7 +714,7 @@ def test_only_the_window_is_counted_as_memory(tmp_path):
     dem = read_header(write(tmp_path / "d.tif", relief(400, 400)))
     part = Grid((10, 10), square(), parse_crs(UTM))
     whole = Grid((400, 400), square(), parse_crs(UTM))
-    assert landscape.memory_needed({"elevation": dem}, part) * 100 < landscape.memory_needed({"elevation": dem}, whole)
+    assert memory_needed({"elevation": dem}, part) * 100 < memory_needed({"elevation": dem}, whole)
 
 
 def test_cells_are_measured_on_the_ground(tmp_path):
@@ -739,4 +740,4 @@ def test_the_memory_is_estimated_from_the_headers(tmp_path, transform, more):
     tracemalloc.stop()
     names = {"elevation": dem, "vegetation": vegetation, "density": density}
     layers = {name: read_header(path) for name, path in names.items()}
-    assert 1 / 1.5 < landscape.memory_needed(layers, Grid.of(data)) / peak < 1.5
+    assert 1 / 1.5 < memory_needed(layers, Grid.of(data)) / peak < 1.5

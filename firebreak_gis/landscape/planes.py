@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.alignment import align_values
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.alignment import align_values
+from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.rasters import header_of_array, read_header, require_georeferenced
-from firebreak_gis.target_grid import Account
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -58,7 +58,7 @@ def value_plane(source: Source, grid: Grid, *, what: str, field: str | None = No
     values = _raster(source, grid, what)
     if not np.isfinite(values).any():
         raise InputError(f"{what} holds no data on the landscape {grid.describe()}; is it the right file?")
-    return np.where(np.isfinite(values), values, fill)
+    return np.asarray(np.where(np.isfinite(values), values, fill))
 
 
 def mask_plane(source: Source, grid: Grid, *, what: str, touched: bool = False) -> np.ndarray:
@@ -82,7 +82,7 @@ def mask_plane(source: Source, grid: Grid, *, what: str, touched: bool = False) 
         (rows, cols) bool.
     """
     if not _is_vector(source):
-        return np.nan_to_num(_raster(source, grid, what)) > 0
+        return np.asarray(np.nan_to_num(_raster(source, grid, what)) > 0)
     from firebreak_gis.vectors import read_features
 
     frame = read_features(source, grid.crs)
@@ -113,13 +113,12 @@ def wind_planes(speed: Source | float, from_direction: Source | float, grid: Gri
     """
     if _number(speed) is not None and _number(from_direction) is not None:
         return _number(speed), _number(from_direction)
-    planes: dict[str, Any] = {"wind speed": speed, "wind direction": from_direction}
-    strength = _number(speed)
+    strength: Any = _number(speed)
     if strength is None:
         strength = value_plane(speed, grid, what="wind speed", fill=np.nan)
-    direction = _number(from_direction)
+    direction: Any = _number(from_direction)
     if direction is None:
-        header = _header(planes["wind direction"])
+        header = _header(from_direction)
         angle = np.radians(_whole(header))
         east, north = (_aligned(header, np.asarray(f(angle)), grid, "wind direction") for f in (np.sin, np.cos))
         direction = np.degrees(np.arctan2(east, north)) % 360.0
@@ -144,7 +143,8 @@ def _number(value: Any) -> float | None:
 
 
 def _header(source: Source) -> Any:
-    header = header_of_array(source) if hasattr(source, "dims") else read_header(source)
+    as_array: Any = source
+    header = header_of_array(as_array) if hasattr(source, "dims") else read_header(source)
     require_georeferenced(header)
     return header
 
@@ -185,8 +185,13 @@ def _burn_in(
         numbers = pd.to_numeric(frame[field], errors="coerce").to_numpy(dtype=np.float64)
         if np.isnan(numbers).any():
             raise InputError(f"{what}: the field {field!r} holds empty cells or words, expected numbers")
-    plane: np.ndarray = rasterize(
-        zip(frame.geometry, numbers, strict=True), out_shape=grid.shape, transform=grid.transform, fill=fill,
-        all_touched=all_touched, dtype="float64",
-    )  # fmt: skip
-    return plane
+    return np.asarray(
+        rasterize(
+            zip(frame.geometry, numbers, strict=True),
+            out_shape=grid.shape,
+            transform=grid.transform,
+            fill=fill,
+            all_touched=all_touched,
+            dtype="float64",
+        )
+    )

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from firebreak_gis.errors import LegendError
 from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.legends import Legend
 from firebreak_gis.schema import DENSITY
-from firebreak_gis.target_grid import Account
 
+#: What every landscape holds.
+LAYERS = ("elevation", "vegetation", "density")
 #: So many unknown codes are listed in a message.
 LISTED = 8
 
@@ -75,9 +79,7 @@ def fuel_of(
         if isinstance(cover, str):
             given, given_effect = np.full(grid.shape, float(_density_code(cover))), None
         else:
-            where = _look_up(
-                np.where(vegetation > 0, cover, np.nan), density_legend, "density", grid, account, unknown
-            )
+            where = _look_up(np.where(vegetation > 0, cover, np.nan), density_legend, "density", grid, account, unknown)
             given = density_legend.column("density", np.nan)[where]
             given_effect = _effect(density_legend, "density_effect", where)
         density = np.where(replaced, given, density)
@@ -89,9 +91,13 @@ def fuel_of(
             f"({lacking.mean():.2%} of the grid)"
         )
     classes = np.where(np.isnan(density) | (vegetation == 0), 0, density).astype(np.uint8)
-    return Fuel(
-        vegetation, classes, _only(vegetation_effect, classes > 0), _only(density_effect, classes > 0)
-    )
+    return Fuel(vegetation, classes, _only(vegetation_effect, classes > 0), _only(density_effect, classes > 0))
+
+
+def burnable_cells(layers: Mapping[Any, Any]) -> np.ndarray:
+    """Return where vegetation, density and elevation meet, (rows, cols) bool."""
+    elevation, vegetation, density = (np.asarray(layers[name]) for name in LAYERS)
+    return np.asarray((vegetation > 0) & (density > 0) & np.isfinite(elevation))
 
 
 def _density_code(name: str) -> int:
@@ -114,9 +120,7 @@ def _only(effect: np.ndarray | None, where: np.ndarray) -> np.ndarray | None:
     return None if effect is None else np.where(where, effect, np.float32(np.nan))
 
 
-def _look_up(
-    values: np.ndarray, legend: Legend, name: str, grid: Grid, account: Account, unknown: str
-) -> np.ndarray:
+def _look_up(values: np.ndarray, legend: Legend, name: str, grid: Grid, account: Account, unknown: str) -> np.ndarray:
     """Index of the legend's entry for each cell, -1 where there is no data."""
     index = legend.find(values)
     strange = (index < 0) & np.isfinite(values)
@@ -131,9 +135,7 @@ def _look_up(
             f"{name}=...), or take them "
             "as land without fuel (--unknown nonburnable)" + _hint(values[strange], legend, name)
         )
-    account.warnings.append(
-        f"{name}: codes not in the legend {legend.name} were taken as land without fuel: {told}"
-    )
+    account.warnings.append(f"{name}: codes not in the legend {legend.name} were taken as land without fuel: {told}")
     return index
 
 
@@ -147,11 +149,6 @@ def _areas(values: np.ndarray, legend: Legend, grid: Grid) -> str:
 
 
 def _hint(values: np.ndarray, legend: Legend, name: str) -> str:
-    if (
-        name == "density"
-        and not legend.continuous
-        and values.max() <= 100
-        and np.unique(values).size > LISTED
-    ):
+    if name == "density" and not legend.continuous and values.max() <= 100 and np.unique(values).size > LISTED:
         return "; if it is a cover in percent, take the density legend canopy_cover or tree_cover_density"
     return ""

@@ -2,34 +2,27 @@
 
 from __future__ import annotations
 
-import json
 import os
-from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from firebreak_gis.alignment import plan
-from firebreak_gis.errors import InputError, LegendError, OutputError, ParameterError
-from firebreak_gis.files import make_folder, require_writable
-from firebreak_gis.fuel import Fuel, fuel_of
+from firebreak_gis.errors import InputError, LegendError, ParameterError
 from firebreak_gis.grid import Grid
-from firebreak_gis.layers import codes_on, elevation_on
+from firebreak_gis.landscape.alignment import plan
+from firebreak_gis.landscape.fuel import Fuel, burnable_cells, fuel_of
+from firebreak_gis.landscape.layers import codes_on, elevation_on
+from firebreak_gis.landscape.resampling import BLOCK
+from firebreak_gis.landscape.target_grid import Account, choose_grid
 from firebreak_gis.legends import Legend, read_legend
 from firebreak_gis.memory import require_memory
 from firebreak_gis.progress import Progress, silent
-from firebreak_gis.rasters import Header, header_of_array, read_header, read_variable, write_raster
-from firebreak_gis.resampling import BLOCK
-from firebreak_gis.schema import DENSITY, annotate, validate
-from firebreak_gis.target_grid import Account, choose_grid
+from firebreak_gis.rasters import Header, header_of_array, read_header
+from firebreak_gis.schema import DENSITY, annotate
 
 if TYPE_CHECKING:
     import xarray as xr
-
-#: Layers of a landscape folder; the last two only where a legend gives effects as numbers.
-LAYERS = ("elevation", "vegetation", "density")
-EFFECTS = ("vegetation_effect", "density_effect")
 
 
 def read_landscape(
@@ -128,13 +121,9 @@ def read_landscape(
     report(0.4, "vegetation")
     codes = codes_on(layers["vegetation"], grid, "vegetation", table, account)
     report(0.7, "density")
-    cover = (
-        codes_on(layers["density"], grid, "density", density_table, account) if "density" in layers else None
-    )
+    cover = codes_on(layers["density"], grid, "density", density_table, account) if "density" in layers else None
     report(0.9, "legend")
-    fuel = fuel_of(
-        codes, cover if constant is None else constant, table, density_table, grid, account, unknown
-    )
+    fuel = fuel_of(codes, cover if constant is None else constant, table, density_table, grid, account, unknown)
     result = _assemble(grid, elevation, fuel, account)
     result.attrs.update(legend=table.name, alignment=account.alignment, warnings=account.warnings)
     report(1.0, "landscape read")
@@ -152,95 +141,6 @@ def memory_needed(layers: Mapping[str, Header], grid: Grid) -> int:
         largest = max(largest, 28 * window + (60 if header.crs == grid.crs else 80) * coordinates)
     # Either looking up the legends is the peak, or laying one layer is. Bytes a cell were measured.
     return max((81 if "density" in layers else 50) * cells, 20 * cells + largest)
-
-
-def write_landscape(
-    dataset: xr.Dataset,
-    folder: str | os.PathLike[str],
-    *,
-    overwrite: bool = False,
-    provenance: Mapping[str, Any] | None = None,
-    forbid: Iterable[str | os.PathLike[str]] = (),
-) -> list[Path]:
-    """Write the layers of a landscape as elevation.tif, vegetation.tif, density.tif (and effects).
-
-    Parameters
-    ----------
-    dataset
-        From `read_landscape`.
-    folder
-        Made if it is missing.
-    overwrite, provenance, forbid
-        As in `rasters.write_raster`; nothing is written if one of the files must not be.
-
-    Returns
-    -------
-    list of pathlib.Path
-        The files, in order.
-    """
-    names = [name for name in LAYERS + EFFECTS if name in dataset]
-    validate(dataset, [*LAYERS, *names[len(LAYERS) :]])
-    place = make_folder(folder)
-    barred = list(forbid)
-    for name in names:
-        require_writable(place / f"{name}.tif", overwrite=overwrite, forbid=barred)
-    for name in set(EFFECTS) - set(names):
-        # An effect of another landscape would be taken for one of this.
-        old = place / f"{name}.tif"
-        if old.exists() and not overwrite:
-            raise OutputError(
-                f"{old} belongs to another landscape; choose another folder or allow overwriting "
-                f"(--overwrite)"
-            )
-        old.unlink(missing_ok=True)
-    told = {key: list(dataset.attrs[key]) for key in ("alignment", "warnings") if key in dataset.attrs}
-    told |= {"legend": dataset.attrs["legend"]} if "legend" in dataset.attrs else {}
-    return [
-        write_raster(
-            place / f"{name}.tif",
-            dataset[name],
-            overwrite=overwrite,
-            forbid=barred,
-            provenance={**(provenance or {}), **(told if name == "elevation" else {})},
-        )
-        for name in names
-    ]
-
-
-def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:
-    """Read what `write_landscape` wrote; equal to the dataset that was written.
-
-    Raises
-    ------
-    InputError
-        If a layer is missing or damaged; `GridError` if the layers lie on different grids.
-    """
-    import xarray as xr
-
-    place = Path(folder)
-    if not place.is_dir():
-        raise InputError(
-            f"{place} is not a folder with {', '.join(f'{name}.tif' for name in LAYERS)}; make one with: "
-            f"firebreak align"
-        )
-    missing = [f"{name}.tif" for name in LAYERS if not (place / f"{name}.tif").exists()]
-    if missing:
-        raise InputError(
-            f"the landscape folder {place} lacks {', '.join(missing)}; make it with: firebreak align"
-        )
-    names = list(LAYERS) + [name for name in EFFECTS if (place / f"{name}.tif").exists()]
-    arrays = {name: read_variable(place / f"{name}.tif", name) for name in names}
-    grid = Grid.of(arrays["elevation"])
-    grid.cell_size  # noqa: B018 - refuses cells that are not square
-    for name in names[1:]:
-        grid.require(Grid.of(arrays[name]), f"{name}.tif")
-    told = arrays["elevation"].attrs.get("provenance", {})
-    variables = {name: annotate(grid.dataarray(array.to_numpy(), name)) for name, array in arrays.items()}
-    dataset = xr.Dataset(variables)
-    dataset["burnable"] = annotate(grid.dataarray(_burnable(dataset), "burnable"))
-    dataset.attrs = {"legend": told["legend"]} if "legend" in told else {}
-    dataset.attrs |= {key: json.loads(told.get(key, "[]")) for key in ("alignment", "warnings")}
-    return dataset
 
 
 def _legends(legend: Any, density_legend: Any, density: Any) -> tuple[Legend, Legend]:
@@ -267,30 +167,20 @@ def _headers(
     for word, mapping in (("src_nodata", src_nodata), ("band", band)):
         wrong = set(mapping) - set(public)
         if wrong:
-            raise ParameterError(
-                f"{word} names {', '.join(sorted(wrong))}, expected dem, vegetation or density"
-            )
+            raise ParameterError(f"{word} names {', '.join(sorted(wrong))}, expected dem, vegetation or density")
     nodata = {public[key]: value for key, value in src_nodata.items()}
     bands = {public[key]: value for key, value in band.items()}
     headers = {}
     for name, source in sources.items():
         if isinstance(source, str | os.PathLike):
-            headers[name] = read_header(
-                source, band=bands.get(name), src_nodata=nodata.get(name), remote=remote
-            )
+            headers[name] = read_header(source, band=bands.get(name), src_nodata=nodata.get(name), remote=remote)
         else:
             headers[name] = header_of_array(source, src_nodata=nodata.get(name))
     if headers["elevation"].palette:
         raise InputError(
-            f"{headers['elevation'].path} has a colour table: it is a map of classes or a picture, not "
-            f"elevations"
+            f"{headers['elevation'].path} has a colour table: it is a map of classes or a picture, not elevations"
         )
     return headers
-
-
-def _burnable(dataset: Mapping[Any, Any]) -> np.ndarray:
-    elevation, vegetation, density = (np.asarray(dataset[name]) for name in LAYERS)
-    return np.asarray((vegetation > 0) & (density > 0) & np.isfinite(elevation))
 
 
 def _assemble(grid: Grid, elevation: np.ndarray, fuel: Fuel, account: Account) -> xr.Dataset:
@@ -305,7 +195,7 @@ def _assemble(grid: Grid, elevation: np.ndarray, fuel: Fuel, account: Account) -
         layers["vegetation_effect"] = fuel.vegetation_effect
     if fuel.density_effect is not None:
         layers["density_effect"] = fuel.density_effect
-    burnable = _burnable(layers)
+    burnable = burnable_cells(layers)
     blind = int(np.count_nonzero((fuel.vegetation > 0) & (fuel.density > 0) & ~np.isfinite(elevation)))
     if blind:
         account.warnings.append(

@@ -93,11 +93,7 @@ def choose_grid(
     centre = _common_centre(layers)
     target = _target_crs(layers["elevation"], crs, centre, account)
     box = _common_box(layers, target, account)
-    cell = (
-        float(resolution)
-        if resolution is not None
-        else _default_cell(layers["elevation"], target, box, account)
-    )
+    cell = float(resolution) if resolution is not None else _default_cell(layers["elevation"], target, box, account)
     grid = _snap(layers, target, cell, box, bounds)
     account.alignment.append(
         f"grid: {grid.describe()}, the extent that all layers cover"
@@ -163,13 +159,9 @@ def _grid_like(like: Any) -> Grid:
     left, bottom, right, top = grid.bounds
     why = unsuitable(grid.crs, (left + right) / 2, (bottom + top) / 2)
     if why:
-        raise CRSError(
-            f"the grid to follow is in {crs_name(grid.crs)}, which {why}; choose one in metres, e.g. UTM"
-        )
+        raise CRSError(f"the grid to follow is in {crs_name(grid.crs)}, which {why}; choose one in metres, e.g. UTM")
     if min(grid.shape) < LEAST_CELLS:
-        raise GridError(
-            f"the grid to follow has {grid.shape[0]} x {grid.shape[1]} cells, expected at least 3 x 3"
-        )
+        raise GridError(f"the grid to follow has {grid.shape[0]} x {grid.shape[1]} cells, expected at least 3 x 3")
     return grid
 
 
@@ -181,8 +173,7 @@ def _common_centre(layers: Mapping[str, Header]) -> tuple[np.ndarray, np.ndarray
         lon, lat = to_lonlat(header.crs, *outline(header.transform, header.shape))
         if not (np.isfinite(lon).all() and np.isfinite(lat).all()):
             raise CRSError(
-                f"{header.path} has coordinates that {crs_name(header.crs)} cannot describe; is its CRS "
-                f"the true one?"
+                f"{header.path} has coordinates that {crs_name(header.crs)} cannot describe; is its CRS the true one?"
             )
         lon = np.unwrap(lon, period=360.0)
         if boxes:  # the same turn of the globe as the first layer
@@ -196,8 +187,7 @@ def _common_centre(layers: Mapping[str, Header]) -> tuple[np.ndarray, np.ndarray
             for name, b in boxes.items()
         )
         raise GridError(
-            f"the layers do not overlap ({told}); are they of the same place, and are their CRS the true "
-            f"ones?"
+            f"the layers do not overlap ({told}); are they of the same place, and are their CRS the true ones?"
         )
     return np.array([shared[0], shared[2]]), np.array([shared[1], shared[3]])
 
@@ -210,9 +200,7 @@ def _target_crs(dem: Header, wish: Any, centre: tuple[np.ndarray, np.ndarray], a
     if why is None:
         return target
     if wish is not None:
-        raise CRSError(
-            f"the CRS {crs_name(target)} {why}; choose one in metres, e.g. {crs_name(suggest_utm(*centre))}"
-        )
+        raise CRSError(f"the CRS {crs_name(target)} {why}; choose one in metres, e.g. {crs_name(suggest_utm(*centre))}")
     utm = suggest_utm(*centre)
     account.alignment.append(
         f"CRS: {crs_name(utm)} ({utm.name}), since that of the elevation, {crs_name(target)}, {why}"
@@ -228,9 +216,7 @@ def _common_box(layers: Mapping[str, Header], target: CRS | None, account: Accou
     smallest = min(areas, key=lambda name: areas[name])
     share = 0.0 if shared is None else (shared[2] - shared[0]) * (shared[3] - shared[1]) / areas[smallest]
     if shared is None or share < LEAST_OVERLAP:
-        told = "; ".join(
-            f"{name}: x {b[0]:.6g} to {b[2]:.6g}, y {b[1]:.6g} to {b[3]:.6g}" for name, b in boxes.items()
-        )
+        told = "; ".join(f"{name}: x {b[0]:.6g} to {b[2]:.6g}, y {b[1]:.6g} to {b[3]:.6g}" for name, b in boxes.items())
         raise GridError(
             f"the layers overlap on {share:.1%} of the smallest of them, expected at least "
             f"{LEAST_OVERLAP:.0%} "
@@ -258,8 +244,7 @@ def _default_cell(dem: Header, target: CRS, box: Box, account: Account) -> float
     digits = 1 - math.floor(math.log10(mean))
     cell = round(mean, digits)
     account.alignment.append(
-        f"cell: {cell:g} m, rounded from {width:.4g} x {height:.4g} m, what a cell of the elevation "
-        f"measures there"
+        f"cell: {cell:g} m, rounded from {width:.4g} x {height:.4g} m, what a cell of the elevation measures there"
     )
     return cell
 
@@ -284,9 +269,7 @@ def _snap(layers: Mapping[str, Header], target: CRS, cell: float, box: Box, boun
             f"{crs_name(target)}){'' if bounds is None else ' and the bounds'}, expected at least 3 x 3; "
             f"take finer cells or a larger extent"
         )
-    return Grid(
-        (rows, cols), Affine(cell, 0.0, x0 + first_col * cell, 0.0, -cell, y0 - first_row * cell), target
-    )
+    return Grid((rows, cols), Affine(cell, 0.0, x0 + first_col * cell, 0.0, -cell, y0 - first_row * cell), target)
 
 
 def _anchor(layers: Mapping[str, Header], target: CRS, cell: float) -> tuple[float, float]:

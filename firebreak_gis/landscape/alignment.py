@@ -15,10 +15,10 @@ from affine import Affine
 
 from firebreak_gis.errors import InputError, VerificationError
 from firebreak_gis.grid import SAME_GRID_TOLERANCE, Grid, crs_name
+from firebreak_gis.landscape.resampling import Placed, average, bilinear, mode, nearest
+from firebreak_gis.landscape.target_grid import Account, cell_in
 from firebreak_gis.projections import outline, transform
 from firebreak_gis.rasters import Cells, Header, read_cells
-from firebreak_gis.resampling import Placed, average, bilinear, mode, nearest
-from firebreak_gis.target_grid import Account, cell_in
 
 if TYPE_CHECKING:
     from firebreak_gis.rasters.reading import Window
@@ -65,9 +65,7 @@ def plan(header: Header, grid: Grid) -> Plan:
     return Plan(_window(upright, header, grid, sides), copy=False, coarser=coarser, cells=sides)
 
 
-def align_values(
-    header: Header, grid: Grid, name: str, account: Account, *, strict: bool = False
-) -> np.ndarray:
+def align_values(header: Header, grid: Grid, name: str, account: Account, *, strict: bool = False) -> np.ndarray:
     """Return a quantity on the grid as float32 (rows, cols), NaN for no data.
 
     Raises
@@ -211,9 +209,7 @@ def _sentence(name: str, header: Header, how: Plan, grid: Grid, method: str) -> 
         return f"{name}: copied cell by cell, its cells are those of the grid"
     t = header.transform
     turned = ", rotated" if t.b != 0 or t.d != 0 else ", south-up" if t.e > 0 else ""
-    what = (
-        f"cells of {math.hypot(t.a, t.d):.6g} x {math.hypot(t.b, t.e):.6g} in {crs_name(header.crs)}{turned}"
-    )
+    what = f"cells of {math.hypot(t.a, t.d):.6g} x {math.hypot(t.b, t.e):.6g} in {crs_name(header.crs)}{turned}"
     width, height = how.cells
     size = f"about {width:.4g} x {height:.4g} m"
     return f"{name}: resampled by {method} from {what} ({size}) to {grid.cell_size:g} m"

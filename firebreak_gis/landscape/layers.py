@@ -6,12 +6,12 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from firebreak_gis.alignment import align_classes, align_values
 from firebreak_gis.errors import InputError, LegendError
 from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.alignment import align_classes, align_values
+from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.legends import Legend
 from firebreak_gis.rasters import Header
-from firebreak_gis.target_grid import Account
 
 #: Metres per unit, by the words that files use.
 METRES: Mapping[str, float] = {
@@ -55,8 +55,7 @@ def elevation_on(header: Header, grid: Grid, account: Account, strict: bool) -> 
     if factor != 1:
         values *= np.float32(factor)
         account.alignment.append(
-            f"elevation: multiplied by {factor:.9g} to get metres from "
-            f"{header.units or 'the unit of its CRS'}"
+            f"elevation: multiplied by {factor:.9g} to get metres from {header.units or 'the unit of its CRS'}"
         )
     elif word in ("", "1", "unknown") and "foot" in _unit_of(header):
         account.warnings.append(
@@ -64,9 +63,7 @@ def elevation_on(header: Header, grid: Grid, account: Account, strict: bool) -> 
             "as metres; if it is feet, set it: gdal_edit.py -units ft FILE"
         )
     if not np.isfinite(values).any():
-        raise InputError(
-            f"{header.path} (elevation) holds no data on the grid; is its no-data value the true one?"
-        )
+        raise InputError(f"{header.path} (elevation) holds no data on the grid; is its no-data value the true one?")
     low, high = float(np.nanmin(values)), float(np.nanmax(values))
     if high > HIGHEST or low < DEEPEST:
         raise InputError(
@@ -97,9 +94,7 @@ def codes_on(header: Header, grid: Grid, name: str, table: Legend, account: Acco
         codes = align_classes(header, grid, name, account)
         coded = np.where(codes < 0, np.nan, codes)
     if not np.isfinite(coded).any():
-        raise InputError(
-            f"{header.path} ({name}) holds no data on the grid; is its no-data value the true one?"
-        )
+        raise InputError(f"{header.path} ({name}) holds no data on the grid; is its no-data value the true one?")
     return coded
 
 

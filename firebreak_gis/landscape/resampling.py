@@ -211,9 +211,7 @@ def _apply(t: Affine, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndar
     return t.a * x + t.b * y + t.c, t.d * x + t.e * y + t.f
 
 
-def _inside(
-    row: np.ndarray, col: np.ndarray, shape: tuple[int, int]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _inside(row: np.ndarray, col: np.ndarray, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Which positions fall in the array, and the row and column of those."""
     r, c = np.floor(row + ON_EDGE), np.floor(col + ON_EDGE)
     # Positions that the transformation cannot reach are infinite and fail these comparisons.

@@ -1,0 +1,108 @@
+"""A landscape as a folder of rasters: what `firebreak align` writes and the later commands read."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from firebreak_gis.errors import InputError, OutputError
+from firebreak_gis.files import make_folder, require_writable
+from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.fuel import LAYERS, burnable_cells
+from firebreak_gis.rasters import read_variable, write_raster
+from firebreak_gis.schema import annotate, validate
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: Only where a legend gives effects as numbers.
+EFFECTS = ("vegetation_effect", "density_effect")
+
+
+def write_landscape(
+    dataset: xr.Dataset,
+    folder: str | os.PathLike[str],
+    *,
+    overwrite: bool = False,
+    provenance: Mapping[str, Any] | None = None,
+    forbid: Iterable[str | os.PathLike[str]] = (),
+) -> list[Path]:
+    """Write the layers of a landscape as elevation.tif, vegetation.tif, density.tif (and effects).
+
+    Parameters
+    ----------
+    dataset
+        From `read_landscape`.
+    folder
+        Made if it is missing.
+    overwrite, provenance, forbid
+        As in `rasters.write_raster`; nothing is written if one of the files must not be.
+
+    Returns
+    -------
+    list of pathlib.Path
+        The files, in order.
+    """
+    names = [name for name in LAYERS + EFFECTS if name in dataset]
+    validate(dataset, [*LAYERS, *names[len(LAYERS) :]])
+    place = make_folder(folder)
+    barred = list(forbid)
+    for name in names:
+        require_writable(place / f"{name}.tif", overwrite=overwrite, forbid=barred)
+    for name in set(EFFECTS) - set(names):
+        # An effect of another landscape would be taken for one of this.
+        old = place / f"{name}.tif"
+        if old.exists() and not overwrite:
+            raise OutputError(
+                f"{old} belongs to another landscape; choose another folder or allow overwriting (--overwrite)"
+            )
+        old.unlink(missing_ok=True)
+    told = {key: list(dataset.attrs[key]) for key in ("alignment", "warnings") if key in dataset.attrs}
+    told |= {"legend": dataset.attrs["legend"]} if "legend" in dataset.attrs else {}
+    return [
+        write_raster(
+            place / f"{name}.tif",
+            dataset[name],
+            overwrite=overwrite,
+            forbid=barred,
+            provenance={**(provenance or {}), **(told if name == "elevation" else {})},
+        )
+        for name in names
+    ]
+
+
+def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:
+    """Read what `write_landscape` wrote; equal to the dataset that was written.
+
+    Raises
+    ------
+    InputError
+        If a layer is missing or damaged; `GridError` if the layers lie on different grids.
+    """
+    import xarray as xr
+
+    place = Path(folder)
+    if not place.is_dir():
+        raise InputError(
+            f"{place} is not a folder with {', '.join(f'{name}.tif' for name in LAYERS)}; make one with: "
+            f"firebreak align"
+        )
+    missing = [f"{name}.tif" for name in LAYERS if not (place / f"{name}.tif").exists()]
+    if missing:
+        raise InputError(f"the landscape folder {place} lacks {', '.join(missing)}; make it with: firebreak align")
+    names = list(LAYERS) + [name for name in EFFECTS if (place / f"{name}.tif").exists()]
+    arrays = {name: read_variable(place / f"{name}.tif", name) for name in names}
+    grid = Grid.of(arrays["elevation"])
+    grid.cell_size  # noqa: B018 - refuses cells that are not square
+    for name in names[1:]:
+        grid.require(Grid.of(arrays[name]), f"{name}.tif")
+    told = arrays["elevation"].attrs.get("provenance", {})
+    variables = {name: annotate(grid.dataarray(array.to_numpy(), name)) for name, array in arrays.items()}
+    dataset = xr.Dataset(variables)
+    dataset["burnable"] = annotate(grid.dataarray(burnable_cells(dataset), "burnable"))
+    dataset.attrs = {"legend": told["legend"]} if "legend" in told else {}
+    dataset.attrs |= {key: json.loads(told.get(key, "[]")) for key in ("alignment", "warnings")}
+    return dataset
