@@ -122,7 +122,7 @@ def plan(
     *,
     budget: float = 0.1,
     budget_unit: BudgetUnit = "share",
-    method: str = "bonacich",
+    method: str = "dissection",
     method_params: Mapping[str, Any] | None = None,
     model: str = "alexandridis",
     model_params: Mapping[str, Any] | None = None,

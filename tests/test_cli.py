@@ -40,7 +40,23 @@ def hashes(folder, leave=()):
 @pytest.fixture(scope="module")
 def plan(tmp_path_factory):
     folder = tmp_path_factory.mktemp("plan") / "out"
-    run("plan", *LAYERS, "-o", folder, "--budget", "0.14", "-p", "beta=0.5", "--runs", "60", "--seed", "3", *COARSE)
+    run(
+        "plan",
+        *LAYERS,
+        "-o",
+        folder,
+        "--budget",
+        "0.14",
+        "--method",
+        "bonacich",
+        "-p",
+        "beta=0.5",
+        "--runs",
+        "60",
+        "--seed",
+        "3",
+        *COARSE,
+    )
     return folder
 
 
@@ -156,7 +172,7 @@ def test_toml_configuration_and_options_that_win(tmp_path):
 
 def test_steps_give_what_plan_gives(plan, network, tmp_path):
     folder = network.parent
-    run("rank", network, "-p", "beta=0.5", "-o", tmp_path / "priority.tif", "--seed", 3)
+    run("rank", network, "--method", "bonacich", "-p", "beta=0.5", "-o", tmp_path / "priority.tif", "--seed", 3)
     run(
         "breaks",
         tmp_path / "priority.tif",
@@ -310,7 +326,7 @@ def test_lists_and_descriptions():
         (["plan", *LAYERS, "--budget", "nan"], 2, "from 0 to 1"),
         (["plan", *LAYERS, "--method", "nothing"], 2, "there are: "),
         (["plan", *LAYERS, "-p", "beta"], 2, "NAME=VALUE"),
-        (["plan", *LAYERS, "-p", "beta=1"], 2, "less than 1"),
+        (["plan", *LAYERS, "--method", "bonacich", "-p", "beta=1"], 2, "less than 1"),
         (["plan", *LAYERS, "-p", "gamma=1"], 2, "gamma"),
         (["plan", *LAYERS, "--runs", "0"], 2, "at least 1"),
         (["plan", *LAYERS, "--seed", "-1"], 2, "at least 0"),

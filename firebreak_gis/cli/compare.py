@@ -26,7 +26,7 @@ OUTPUTS = {
     "--methods",
     "method_list",
     type=kinds.RANKINGS,
-    default="dissection,compartments,bonacich,flammability,random",
+    default="dissection,bonacich,flammability,random",
     show_default=True,
     metavar="LIST",
     help="Rankings, separated by commas, parameters by colons: dissection:width=2,random.",

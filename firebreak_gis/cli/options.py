@@ -221,7 +221,7 @@ def ranking(command: F) -> F:
             "--method",
             type=kinds.RANKING,
             metavar="NAME",
-            default="bonacich",
+            default="dissection",
             show_default=True,
             help="Ranking (firebreak methods).",
         ),

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 def rank(
     network: SpreadNetwork,
-    method: str = "bonacich",
+    method: str = "dissection",
     *,
     setting: Setting | None = None,
     seed: int = 0,
