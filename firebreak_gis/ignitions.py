@@ -95,7 +95,8 @@ def _weights(network: SpreadNetwork, ignitions: Any) -> np.ndarray | None:
     is_plane = isinstance(ignitions, np.ndarray) and ignitions.shape == network.shape
     if not (is_plane or hasattr(ignitions, "dims")):
         return None
-    plane = np.nan_to_num(network.plane(ignitions, "the ignition raster").astype(np.float64), nan=0.0)
+    plane = network.plane(ignitions, "the ignition raster").astype(np.float64)
+    plane = np.where(np.isnan(plane), 0.0, plane)
     if (plane < 0).any() or not np.isfinite(plane).all():
         raise InputError("the ignition raster has negative or infinite values, expected probabilities or weights")
     plane = np.where(network.burnable, plane, 0.0)

@@ -139,7 +139,8 @@ def describe(kind: str, name: str) -> dict[str, Any]:
     parameters = []
     for field in dataclasses.fields(module.Params):
         entry = {"name": field.name, "default": field.default, "type": _type_name(field)}
-        entry.update({k: v for k, v in field.metadata.items() if v is not None and v is not False})
+        told = {k: v for k, v in field.metadata.items() if v is not None and v is not False}
+        entry |= {k: list(v) if isinstance(v, tuple) else v for k, v in told.items()}
         parameters.append(entry)
     return {
         "name": name,
