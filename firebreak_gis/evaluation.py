@@ -190,6 +190,14 @@ def compare(burnt: np.ndarray, baseline: np.ndarray, *, test: Test = "wilcoxon")
     return float(stats.wilcoxon(burnt, baseline, zero_method="pratt", method="approx").pvalue), effect
 
 
+def better_range(result: xr.Dataset, ranking: str) -> list[float] | None:
+    """First and last budget at which a ranking burns significantly less than the baseline; None if never."""
+    picked = result.sel(ranking=ranking)
+    better = np.flatnonzero(picked["significant"].to_numpy() & (picked["effect_size"].to_numpy() < 0))
+    budgets = result["budget"].to_numpy()
+    return [float(budgets[better[0]]), float(budgets[better[-1]])] if better.size else None
+
+
 def table(result: xr.Dataset) -> pd.DataFrame:
     """One row a method and budget: method, d_f, cells_cut, mean, p90, max, p_value, effect_size, ..."""
     import pandas as pd

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from firebreak_gis import __version__
-from firebreak_gis.errors import ParameterError
+from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.files import sha256, write_text
 
 SOFTWARE = "firebreak_gis"
@@ -62,12 +62,31 @@ def write_manifest(
         "version": __version__,
         "command": command,
         "parameters": plain(parameters),
-        "inputs": [{"path": str(p), "sha256": sha256(p)} for p in inputs],
+        "inputs": [_input(p) for p in inputs],
         **plain(account),
         "outputs": [{"path": Path(os.path.relpath(p, target.parent)).as_posix(), "sha256": sha256(p)} for p in outputs],
     }
     write_text(target, json.dumps(document, indent=2, ensure_ascii=False) + "\n", overwrite=overwrite)
     return target
+
+
+def _input(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """Path and hash of an input; of a raster also its CRS and grid."""
+    from firebreak_gis.grid import crs_name
+    from firebreak_gis.rasters import read_header
+
+    entry: dict[str, Any] = {"path": str(path), "sha256": sha256(path)}
+    if Path(path).suffix.lower() in (".csv", ".toml", ".json", ".gpkg", ".geojson", ".fgb", ".parquet", ".shp"):
+        return entry
+    try:
+        header = read_header(path)
+    except InputError:
+        # Several bands, or no raster: the hash must do.
+        return entry
+    entry["crs"] = None if header.crs is None else crs_name(header.crs)
+    entry["shape"] = list(header.shape)
+    entry["transform"] = list(header.transform)[:6]
+    return entry
 
 
 def read_config(path: str | os.PathLike[str]) -> dict[str, Any]:

@@ -144,6 +144,8 @@ def test_manifest_is_the_account_and_a_configuration(plan, tmp_path):
     assert manifest["command"] == "plan"
     assert manifest["parameters"]["budget"] == 0.14
     assert [Path(i["path"]).name for i in manifest["inputs"]] == ["dem.tif", "vegetation.tif", "density.tif"]
+    assert [i["crs"] for i in manifest["inputs"]] == ["EPSG:4326", "EPSG:32635", "EPSG:32635"]
+    assert manifest["inputs"][1]["shape"] == [300, 380]
     for entry in manifest["outputs"]:
         assert hashlib.sha256((plan / entry["path"]).read_bytes()).hexdigest() == entry["sha256"]
     assert any("bilinear" in line or "average" in line for line in manifest["alignment"])
@@ -299,6 +301,10 @@ def test_plan_with_stakes(tmp_path):
     assert not cut[outside].any()
     assert not cut[on_road].any()
     assert read(tmp_path / "p/burn_frequency.tif").mask[on_road].all()
+
+
+def test_warmup():
+    assert json.loads(run("warmup", "--json").stdout)["result"]["seconds"] > 0
 
 
 def test_lists_and_descriptions():

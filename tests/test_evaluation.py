@@ -7,7 +7,7 @@ from scipy import stats
 from firebreak_gis import SpreadNetwork, evaluate, rank, select_breaks, simulate
 from firebreak_gis.comparison import FRESH, compare_plans, comparison_table
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.evaluation import compare, summarise, table
+from firebreak_gis.evaluation import better_range, compare, summarise, table
 
 
 @pytest.fixture(scope="module")
@@ -124,3 +124,12 @@ def test_value_lost_is_summed_over_burnt_cells():
     value = np.arange(24.0).reshape(4, 6)
     burns = simulate(network, value=value, n_runs=5)
     assert (burns["value_lost"] == value.sum()).all()
+
+
+def test_range_of_significance():
+    rng = np.random.default_rng(0)
+    base = rng.random((60, 5))
+    shift = np.array([0.0, 0.0, -0.6, -0.6, 0.6])
+    result = summarise({"a": base + shift, "random": base}, budgets=[0, 0.1, 0.2, 0.3, 0.4])
+    assert better_range(result, "a") == [0.2, 0.3]
+    assert better_range(summarise({"a": base, "random": base}, budgets=[0, 0.1, 0.2, 0.3, 0.4]), "a") is None

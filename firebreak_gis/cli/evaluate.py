@@ -60,7 +60,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
 
     All rankings meet the same fires. Writes evaluation.csv, evaluation.png, evaluation.svg and run.json.
     """
-    from firebreak_gis.evaluation import evaluate, table
+    from firebreak_gis.evaluation import better_range, evaluate, table
     from firebreak_gis.files import make_folder, require_writable, write_text
     from firebreak_gis.manifest import write_manifest
     from firebreak_gis.pipeline import default_budgets
@@ -105,6 +105,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     parameters = {"network": network, "method_list": method_list, **given}
     for key in ("overwrite", "creation_options"):
         parameters.pop(key)
+    better = {label: better_range(result, label) for label in priorities if label != given["baseline"]}
     files.append(
         write_manifest(
             target / "run.json",
@@ -112,8 +113,14 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
             inputs=inputs,
             outputs=files,
             parameters={k: v for k, v in parameters.items() if v is not None},
-            account={"n_burnable": spread.n_burnable},
+            account={"n_burnable": spread.n_burnable, "significant_d_f": better},
             overwrite=given["overwrite"],
         )
     )
-    session.finish({"files": files}, f"{len(priorities)} rankings at {len(budgets)} budgets; written to {output}")
+    told = [
+        f"{label} burns less than {given['baseline']} (alpha {given['alpha']:g}) "
+        + ("nowhere" if span is None else f"at d_f from {span[0]:g} to {span[1]:g}")
+        for label, span in better.items()
+    ]
+    told.append(f"{len(priorities)} rankings at {len(budgets)} budgets; written to {output}")
+    session.finish({"files": files, "significant_d_f": better}, "\n".join(told))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.evaluation import summarise
+from firebreak_gis.evaluation import better_range, summarise
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.ranking import rank
 from firebreak_gis.simulation import burn_curve
@@ -141,10 +141,9 @@ def summary(result: xr.Dataset) -> dict[str, Any]:
     for label in result["ranking"].to_numpy().tolist():
         picked = result.sel(ranking=label)
         fallen = np.flatnonzero(picked["mean"].to_numpy() < FALLEN)
-        better = np.flatnonzero(picked["significant"].to_numpy() & (picked["effect_size"].to_numpy() < 0))
         found[label] = {
             "d_f_below_0.3": float(d_f[fallen[0]]) if fallen.size else None,
-            "significant_d_f": [float(d_f[better[0]]), float(d_f[better[-1]])] if better.size else None,
+            "significant_d_f": better_range(result, label),
         }
     settings = {key: int(result.attrs[key]) for key in ("n_forests", "n_runs", "seed")}
     return {"settings": {**settings, "alpha": float(result.attrs["alpha"])}, "methods": found}
