@@ -124,8 +124,7 @@ class SpreadNetwork:
         SpreadNetwork
             With the same `burnable`, so that shares still refer to the fuel before cutting.
         """
-        if not 0.0 <= residual <= 1.0:
-            raise ParameterError(f"residual is {residual}, expected a share from 0 to 1")
+        checked_residual(residual)
         cut = self.mask(breaks, "breaks")
         values = self.probability.copy()
         for d in range(8):
@@ -211,6 +210,13 @@ class SpreadNetwork:
         to_row = (row + np.array(ROW_STEP)[d]) % rows
         to_col = (col + np.array(COL_STEP)[d]) % cols
         return row * cols + col, to_row * cols + to_col, d
+
+
+def checked_residual(residual: float) -> float:
+    """Return the share of its spread probability that a treated cell keeps, if it is one from 0 to 1."""
+    if not 0.0 <= residual <= 1.0:
+        raise ParameterError(f"residual is {residual}, expected a share from 0 to 1")
+    return residual
 
 
 def neighbour(plane: np.ndarray, direction: int, boundary: Boundary = "open") -> np.ndarray:

@@ -13,9 +13,10 @@ import numpy as np
 from firebreak_gis.breaks import BudgetUnit, break_polygons, cells_to_cut, removal_order, select_breaks
 from firebreak_gis.evaluation import evaluate, table
 from firebreak_gis.files import make_folder, require_writable, write_text
-from firebreak_gis.ignitions import IgnitionMode
+from firebreak_gis.ignitions import IgnitionMode, resolve_ignitions
 from firebreak_gis.landscape import write_landscape
 from firebreak_gis.manifest import provenance, write_manifest
+from firebreak_gis.network import checked_residual
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
 from firebreak_gis.rasters import write_raster
@@ -170,6 +171,11 @@ def plan(
     if barriers is not None:
         network = with_barriers(network, barriers)
     setting = Setting(network, cost=cost, protected=protected, value=value, ignition=ignition)
+    # What cannot be is refused now, not after the ranking.
+    checked_residual(residual)
+    resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, seed=seed)
+    if budget_unit == "share":
+        cells_to_cut(budget, network.n_burnable)
     priority = rank(
         network,
         method,
