@@ -1,5 +1,7 @@
 """Sixty-four fires at once are the same fires as one by one, to the bit, across tiles and round the torus."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -31,7 +33,7 @@ def test_blocks_make_the_runs_of_the_single_kernel(shape, high, boundary):
     state = lanes.lanes(shape)
     for cut in ((0, 64, 90), (0, 1, 33, 90), (0, 30, 90)):
         again, size_again = np.zeros_like(counts), np.zeros_like(sizes)
-        for first, last in zip(cut[:-1], cut[1:], strict=True):
+        for first, last in pairwise(cut):
             lanes.burn_block(*given, first, last, state, again, size_again)
         np.testing.assert_array_equal(again, counts)
         np.testing.assert_array_equal(size_again, sizes)

@@ -66,7 +66,7 @@ def read(path):
 
 
 def test_grid_and_counts(case):
-    paths, folder, (epsg, cell, shape) = case
+    _, folder, (epsg, cell, shape) = case
     grids = set()
     for path in folder.glob("*.tif"):
         with rasterio.open(path) as file:

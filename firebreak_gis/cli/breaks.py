@@ -30,8 +30,8 @@ def command(session: Session, priority: str, output: str, polygons: str | None, 
     from firebreak_gis.breaks import break_polygons, select_breaks
     from firebreak_gis.files import require_writable
     from firebreak_gis.grid import Grid
-    from firebreak_gis.manifest import provenance
     from firebreak_gis.landscape.planes import value_plane
+    from firebreak_gis.manifest import provenance
     from firebreak_gis.rasters import read_variable, write_raster
     from firebreak_gis.vectors import write_vector
 

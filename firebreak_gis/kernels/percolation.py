@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from firebreak_gis.kernels.draws import Thresholds, open_edges
-from firebreak_gis.kernels.policy import inlined, kernel
+from firebreak_gis.kernels.policy import kernel
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 
 _ZERO = np.uint64(0)
