@@ -18,6 +18,7 @@ import numpy as np
 from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, patch_links, pieces_after
 from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
 from firebreak_gis.network import neighbour
+from firebreak_gis.placement.widening import wall_cost
 from firebreak_gis.workers import run_pieces
 
 if TYPE_CHECKING:
@@ -71,6 +72,7 @@ class _Patches:
     value: np.ndarray
     directions: int
     shares: np.ndarray
+    periodic: bool
 
     def near(self, cells: np.ndarray) -> np.ndarray:
         return patch_links(cells, self.links, *self.shape, np.array(ROW_STEP), np.array(COL_STEP))  # type: ignore[no-any-return]
@@ -78,9 +80,15 @@ class _Patches:
     def orders(self, cells: np.ndarray, directions: Sequence[int]) -> np.ndarray:
         """Cells sorted along each direction, (n_directions, n)."""
         row, col = np.divmod(cells, self.shape[1])
-        angles = np.pi * np.asarray(directions) / self.directions
+        angles = np.pi * np.asarray(directions)[:, None] / self.directions
+        if self.periodic and (_spans(row, self.shape[0]) or _spans(col, self.shape[1])):
+            # On a torus a patch has no ends: from one side of the ring to the other.
+            row, col = (
+                np.cos(2.0 * np.pi * place / size + angles)
+                for place, size in ((row, self.shape[0]), (col, self.shape[1]))
+            )
         # Rounded, so that cells in line tie whatever the arithmetic; ties go by number.
-        along = np.round(np.outer(np.sin(angles), row) + np.outer(np.cos(angles), col), 6)
+        along = np.round(np.sin(angles) * row + np.cos(angles) * col, 6)
         return np.argsort(along, axis=1, kind="stable")
 
     def cut(self, cells: np.ndarray, directions: Sequence[int]) -> tuple[float, np.ndarray]:
@@ -96,6 +104,11 @@ class _Patches:
         return float(self.ignition[cells].sum() * self.value[cells].sum())
 
 
+def _spans(places: np.ndarray, size: int) -> bool:
+    """Whether places along an axis reach both of its ends."""
+    return bool(places.size and places.min() == 0 and places.max() == size - 1)
+
+
 def links(network: SpreadNetwork) -> np.ndarray:
     """Bits of the directions in which fire can pass either way, (rows, cols) uint8."""
     out = np.zeros(network.shape, np.uint8)
@@ -105,12 +118,15 @@ def links(network: SpreadNetwork) -> np.ndarray:
     return out
 
 
-def capacities(setting: Setting, burnable: np.ndarray) -> np.ndarray:
+def capacities(network: SpreadNetwork, setting: Setting, width: int = 1) -> np.ndarray:
     """Whole-number cutting costs for the flow, (rows, cols) int32; `UNCUTTABLE` where protected.
+
+    With a width they are the cost of the cell and its share of the wall around it.
 
     Equal costs become 1; others keep the resolution that the sum of all allows, at most a thousandth of the median.
     """
-    cost = np.where(burnable & ~setting.protected, setting.cost, 0.0)
+    own = np.where(setting.protected, 0.0, setting.cost)
+    cost = np.where(network.burnable & ~setting.protected, wall_cost(own, width, network.boundary), 0.0)
     positive = cost[cost > 0]
     scale = 1.0
     if positive.size:
@@ -126,6 +142,7 @@ def dissect(
     network: SpreadNetwork,
     setting: Setting,
     *,
+    width: int = 1,
     directions: int = 8,
     shares: Sequence[float] = (0.2, 0.25, 0.3, 0.35, 0.4, 0.45),
     smallest: int = 16,
@@ -138,6 +155,8 @@ def dissect(
     ----------
     network, setting
         What is planned for. Protected cells are in no wall; cells without fuel cost nothing.
+    width
+        Cells across a wall, see `widening`; the walls returned are lines one cell wide.
     directions
         Directions searched for each wall, evenly spaced over half a turn.
     shares
@@ -160,8 +179,9 @@ def dissect(
     """
     ignition, value = setting.ignition.ravel(), setting.value.ravel()
     patches = _Patches(
-        network.shape, links(network).ravel(), capacities(setting, network.burnable).ravel(), setting.cost.ravel(),
+        network.shape, links(network).ravel(), capacities(network, setting, width).ravel(), setting.cost.ravel(),
         ignition / max(ignition.sum(), 1e-300), value / max(value.sum(), 1e-300), directions, np.asarray(shares),
+        network.boundary == "periodic",
     )  # fmt: skip
     fuel = np.flatnonzero(network.burnable.ravel())
     waiting = [(cells, -1) for cells in _pieces(patches, fuel, np.zeros(fuel.size, np.uint8))]

@@ -1,0 +1,103 @@
+"""The fires that plans are designed with; plans are judged on others."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.kernels.draws import Thresholds, run_keys, stream_key, thresholds, uniforms
+from firebreak_gis.kernels.percolation import Steps, burn_runs, steps
+from firebreak_gis.workers import run_pieces
+
+if TYPE_CHECKING:
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
+
+#: Pieces into which runs are split; fixed, so that sums have one order for any number of threads.
+PIECES = 8
+#: Added to the seed, so that the fires of a design differ from those of a simulation with the same seed.
+_DESIGN = 104_729
+
+
+@dataclass(frozen=True)
+class Fires:
+    """Draws and ignition cells of the fires of a design.
+
+    Parameters
+    ----------
+    limits
+        Draw thresholds of the edges before cutting.
+    keys
+        (n_runs,) uint64.
+    cells
+        (n_runs,) int64 row-major ignition cell of each run.
+    grid_steps
+        Steps between cell numbers.
+    """
+
+    limits: Thresholds
+    keys: np.ndarray
+    cells: np.ndarray
+    grid_steps: Steps
+
+
+def design_fires(network: SpreadNetwork, setting: Setting, *, n_runs: int, seed: int) -> Fires:
+    """Draw the fires that a plan is designed with, ignitions by their weights in `setting`.
+
+    The n-th fire starts in the n-th of `n_runs` equal shares of the ignition weights (systematic sampling), which
+    takes much of the noise out of means.
+    """
+    cumulative = np.cumsum(setting.ignition.ravel())
+    start = uniforms(stream_key(seed + _DESIGN, "ignitions"), 1)
+    cells = np.searchsorted(cumulative, (np.arange(n_runs) + start) / n_runs * cumulative[-1], side="right")
+    last = int(np.flatnonzero(setting.ignition.ravel())[-1])
+    return Fires(
+        thresholds(network.probability), run_keys(seed + _DESIGN, "edges", n_runs), np.minimum(cells, last),
+        steps(network.shape, periodic=network.boundary == "periodic"),
+    )  # fmt: skip
+
+
+def pieces(n_runs: int) -> list[tuple[int, int]]:
+    """First run and end of each piece."""
+    edges = np.linspace(0, n_runs, min(PIECES, n_runs) + 1).astype(int)
+    return list(zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True))
+
+
+def losses(
+    network: SpreadNetwork, setting: Setting, cut: np.ndarray, fires: Fires, *, residual: float = 0.0,
+    threads: int | None = None, progress: Progress,
+) -> np.ndarray:
+    """Share of all value that is lost in each fire, with breaks.
+
+    Parameters
+    ----------
+    cut
+        (rows, cols) bool.
+    residual
+        Share of its spread probability that an edge into a treated cell keeps.
+
+    Returns
+    -------
+    numpy.ndarray
+        (n_runs,) float64.
+    """
+    n_runs = fires.keys.size
+    cells = fires.cells if residual > 0.0 else np.where(cut.ravel()[fires.cells], -1, fires.cells)
+    limits = thresholds(network.treated(cut, residual=residual).probability)
+    lost = np.zeros(n_runs)
+    sizes = np.zeros(n_runs, np.int64)
+    value = setting.value.ravel()
+
+    def burn(piece: tuple[int, int]) -> None:
+        counts = np.zeros(value.size, np.uint32)
+        burn_runs(
+            limits, fires.keys, fires.grid_steps, np.arange(n_runs + 1), cells, piece[0], piece[1], counts, sizes,
+            value, lost,
+        )  # fmt: skip
+
+    run_pieces(burn, pieces(n_runs), threads=threads, progress=progress, message="burning")
+    share: np.ndarray = lost / value.sum()
+    return share

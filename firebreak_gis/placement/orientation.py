@@ -1,0 +1,95 @@
+"""Work on a landscape in its standard orientation, so that a turned or mirrored map gives the turned plan."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.lattice import COL_STEP, ROW_STEP
+from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.setting import Setting
+
+if TYPE_CHECKING:
+    Turn = Callable[[np.ndarray], np.ndarray]
+
+_STEPS = list(zip(ROW_STEP, COL_STEP, strict=True))
+#: Mirror left to right or not, then quarter turns anticlockwise.
+_SYMMETRIES = tuple((mirror, quarters) for mirror in (False, True) for quarters in range(4))
+
+
+def in_standard_orientation(
+    network: SpreadNetwork, setting: Setting, method: Callable[[SpreadNetwork, Setting, Turn], np.ndarray]
+) -> np.ndarray:
+    """Call `method` on the map turned to its standard orientation and turn the answer back.
+
+    The standard orientation is the one of the eight turns of the square whose bytes have the smallest BLAKE2
+    digest. Methods that break ties by row and column then do so alike on all eight maps.
+
+    Parameters
+    ----------
+    network, setting
+        The landscape as it lies.
+    method
+        Called as ``method(network, setting, turn)`` with the turned landscape; ``turn`` turns any other
+        (..., rows, cols) plane alike. Returns (rows, cols) of the turned map.
+
+    Returns
+    -------
+    numpy.ndarray
+        (rows, cols) of the map as it lies.
+    """
+    symmetry = min(_SYMMETRIES, key=lambda s: _digest(network, setting, s))
+    if symmetry == (False, 0):
+        return method(network, setting, _turn(symmetry))
+    turn = _turn(symmetry)
+    turned = SpreadNetwork(
+        np.stack([turn(network.probability[d]) for d in _directions(symmetry)]),
+        burnable=turn(network.burnable), boundary=network.boundary,
+    )  # fmt: skip
+    answer = method(turned, _turned_setting(turned, setting, turn), turn)
+    mirror, quarters = symmetry
+    back = np.rot90(answer, -quarters, axes=(-2, -1))
+    return np.ascontiguousarray(back[..., ::-1] if mirror else back)
+
+
+def _turned_setting(turned: SpreadNetwork, setting: Setting, turn: Turn) -> Setting:
+    if not turned.burnable.any():
+        return Setting(turned)
+    return Setting(
+        turned, cost=turn(setting.cost), protected=turn(setting.protected), value=turn(setting.value),
+        ignition=turn(setting.ignition),
+    )  # fmt: skip
+
+
+def _turn(symmetry: tuple[bool, int]) -> Turn:
+    mirror, quarters = symmetry
+
+    def turn(plane: np.ndarray) -> np.ndarray:
+        return np.ascontiguousarray(np.rot90(plane[..., ::-1] if mirror else plane, quarters, axes=(-2, -1)))
+
+    return turn
+
+
+def _directions(symmetry: tuple[bool, int]) -> list[int]:
+    """For each direction on the turned map, the direction on the map as it lies."""
+    mirror, quarters = symmetry
+    before = [0] * 8
+    for d, (row, col) in enumerate(_STEPS):
+        step = (row, -col if mirror else col)
+        for _ in range(quarters):
+            step = (-step[1], step[0])
+        before[_STEPS.index(step)] = d
+    return before
+
+
+def _digest(network: SpreadNetwork, setting: Setting, symmetry: tuple[bool, int]) -> bytes:
+    turn = _turn(symmetry)
+    seen = hashlib.blake2b(repr(turn(network.burnable).shape).encode())
+    for plane in (network.burnable, setting.protected, setting.cost, setting.value, setting.ignition):
+        seen.update(turn(plane).tobytes())
+    for d in _directions(symmetry):
+        seen.update(turn(network.probability[d]).tobytes())
+    return seen.digest()

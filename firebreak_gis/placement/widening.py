@@ -1,0 +1,160 @@
+"""Walls of more than one cell, for breaks that leak, and the width that serves best."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.placement.fires import design_fires, losses
+from firebreak_gis.progress import part
+
+if TYPE_CHECKING:
+    from firebreak_gis.network import Boundary, SpreadNetwork
+    from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
+
+
+def offsets(width: int) -> range:
+    """Steps from a cell of a line to the cells of the wall, along rows and along columns.
+
+    A line that stops spread over corners, widened by this square, is met at least `width` times by every way
+    across, and no smaller set of cells along the line is.
+    """
+    return range(-((width - 1) // 2), width // 2 + 1)
+
+
+def around(cells: np.ndarray, shape: tuple[int, int], width: int, boundary: Boundary) -> np.ndarray:
+    """Cells of the wall of a line, in the order of the line, each once.
+
+    Parameters
+    ----------
+    cells
+        Row-major cell numbers of the line.
+    shape
+        (rows, cols) of the grid.
+    width
+        Cells across the wall.
+    boundary
+        Whether the wall goes on at the other border (`"periodic"`).
+
+    Returns
+    -------
+    numpy.ndarray
+        int64; a cell of the line stands before those that it brings along.
+    """
+    if width == 1:
+        return cells
+    steps = sorted((abs(r) + abs(c), r, c) for r in offsets(width) for c in offsets(width))
+    row, col = np.divmod(cells[:, None], shape[1])
+    row = row + np.array([r for _, r, _ in steps])
+    col = col + np.array([c for _, _, c in steps])
+    inside = np.ones(row.shape, bool)
+    if boundary == "open":
+        inside = (row >= 0) & (row < shape[0]) & (col >= 0) & (col < shape[1])
+    wall: np.ndarray = ((row % shape[0]) * shape[1] + col % shape[1])[inside]
+    _, first = np.unique(wall, return_index=True)
+    return wall[np.sort(first)]
+
+
+def wall_cost(cost: np.ndarray, width: int, boundary: Boundary) -> np.ndarray:
+    """Cost of a cell of a line with its share of the wall around it, (rows, cols).
+
+    Along a straight line these add up to the cost of the wall.
+    """
+    if width == 1:
+        return cost
+    pad = [(-offsets(width)[0], offsets(width)[-1])] * 2
+    padded = np.pad(cost, pad, mode="wrap" if boundary == "periodic" else "constant")
+    total = np.zeros(cost.shape)
+    for r in range(width):
+        for c in range(width):
+            total += padded[r : r + cost.shape[0], c : c + cost.shape[1]]
+    return total / width
+
+
+def walls(
+    lines: Sequence[np.ndarray], network: SpreadNetwork, setting: Setting, width: int
+) -> tuple[list[np.ndarray], list[float]]:
+    """Widen lines one after another; a cell belongs to the first wall that needs it.
+
+    Returns
+    -------
+    tuple
+        The new cells of each wall (fuel that may be cut), and their cost.
+    """
+    free = (network.burnable & ~setting.protected).ravel().copy()
+    cost = setting.cost.ravel()
+    cells, costs = [], []
+    for line in lines:
+        wall = around(line, network.shape, width, network.boundary)
+        wall = wall[free[wall]]
+        free[wall] = False
+        cells.append(wall)
+        costs.append(float(cost[wall].sum()))
+    return cells, costs
+
+
+def affordable(priority: np.ndarray, setting: Setting, budget: float) -> np.ndarray:
+    """Cells that a share of the cost of all fuel buys, in order of priority, (rows, cols) bool."""
+    flat = priority.ravel()
+    order = np.argsort(-flat, kind="stable")
+    order = order[flat[order] > -np.inf]
+    spent = np.cumsum(setting.cost.ravel()[order])
+    mask = np.zeros(flat.size, bool)
+    mask[order[spent <= budget * setting.cost.sum() * (1 + 1e-12)]] = True
+    return mask.reshape(priority.shape)
+
+
+def best_width(
+    network: SpreadNetwork,
+    setting: Setting,
+    planner: Callable[[int, Progress], np.ndarray],
+    *,
+    budget: float,
+    residual: float,
+    widest: int = 6,
+    n_runs: int = 300,
+    seed: int,
+    threads: int | None = None,
+    progress: Progress,
+) -> tuple[int, np.ndarray]:
+    """Find the width that loses least value in simulated fires.
+
+    Widths are tried from 1 up until two in a row are worse than the best.
+
+    Parameters
+    ----------
+    planner
+        Called as ``planner(width, progress)``; returns the priority for walls of that width.
+    budget
+        Share of the cost of all fuel for which the width is chosen.
+    residual
+        Share of its spread probability that an edge into a treated cell keeps.
+    widest
+        Largest width tried.
+    n_runs, seed
+        Fires of the design.
+
+    Returns
+    -------
+    tuple
+        The width and its priority.
+    """
+    fires = design_fires(network, setting, n_runs=n_runs, seed=seed)
+    best = (np.inf, 1, np.zeros(network.shape))
+    worse = 0
+    for width in range(1, widest + 1):
+        step = part(progress, (width - 1) / widest, width / widest, f"walls of {width} cells: ")
+        priority = planner(width, part(step, 0.0, 0.7))
+        cut = affordable(priority, setting, budget)
+        lost = float(losses(
+            network, setting, cut, fires, residual=residual, threads=threads, progress=part(step, 0.7, 1.0)
+        ).mean())  # fmt: skip
+        worse = 0 if lost < best[0] else worse + 1
+        if lost < best[0]:
+            best = (lost, width, priority)
+        if worse == 2:
+            break
+    return best[1], best[2]
