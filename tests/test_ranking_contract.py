@@ -65,6 +65,12 @@ def quality(method: str, network: SpreadNetwork) -> float:
     return float(burnt.mean()) / network.n_burnable
 
 
+def turned_alike(method: str, network: SpreadNetwork, symmetry: tuple[bool, int], seed: int) -> bool:
+    """Whether the turned map gives the turned priority for one seed, as some methods that draw do."""
+    got = rank(twin.turn_network(network, symmetry), method, seed=seed).values
+    return np.array_equal(got, twin.turn(rank(network, method, seed=seed).values, symmetry))
+
+
 @pytest.mark.parametrize("boundary", ["open", "periodic"])
 def test_shape_type_and_unburnable_cells(method, boundary):
     network = landscape(boundary)
@@ -92,7 +98,7 @@ def test_same_seed_gives_the_same_bits(method):
 
 @pytest.mark.parametrize("boundary", ["open", "periodic"])
 def test_turned_maps_give_turned_priorities(method, boundary):
-    """Cell by cell; in the mean over seeds for a method that draws."""
+    """Cell by cell; for a method that draws, seed by seed or at least in the mean over seeds."""
     network = landscape(boundary)
     symmetries = [s for s in twin.SYMMETRIES.values() if s != (False, 0)]
     if not getattr(methods.load("ranking", method), "UNIQUE", True):
@@ -105,6 +111,8 @@ def test_turned_maps_give_turned_priorities(method, boundary):
         for symmetry in symmetries:
             got = rank(twin.turn_network(network, symmetry), method).values
             np.testing.assert_allclose(got, twin.turn(expected, symmetry), rtol=1e-9, atol=1e-12)
+        return
+    if all(turned_alike(method, network, symmetry, seed) for seed in (0, 1) for symmetry in symmetries):
         return
     symmetry = (True, 1)
     expected = mean_order(method, network, symmetry)

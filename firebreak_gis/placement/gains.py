@@ -1,0 +1,110 @@
+"""Cut the cells that save most, look again at what burns, cut more: rankings by simulated gains."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.placement.fires import Fires, design_fires, pieces
+from firebreak_gis.progress import part
+from firebreak_gis.workers import run_pieces
+
+if TYPE_CHECKING:
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
+
+    Kernel = Callable[..., Any]
+
+
+def mean_gain(
+    kernel: Kernel, fires: Fires, alive: np.ndarray, value: np.ndarray, *, threads: int | None = None,
+    progress: Progress,
+) -> tuple[np.ndarray, float]:
+    """Gain of cutting each cell, and the loss, in the mean over the fires.
+
+    Parameters
+    ----------
+    kernel
+        `kernels.gains.downstream` or `kernels.gains.dominated`.
+    alive
+        (n_cells,) bool.
+    value
+        (n_cells,) float64.
+
+    Returns
+    -------
+    tuple
+        (n_cells,) float64 and a number, in the unit of `value`.
+    """
+    parts = pieces(fires.keys.size)
+    sums = np.zeros((len(parts), alive.size))
+    lost = np.zeros(len(parts))
+
+    def work(i: int) -> None:
+        lost[i] = kernel(
+            fires.limits, fires.keys, fires.grid_steps, fires.cells, alive, value, *parts[i], sums[i]
+        )
+
+    run_pieces(work, range(len(parts)), threads=threads, progress=progress, message="burning")
+    return sums.sum(axis=0) / fires.keys.size, float(lost.sum()) / fires.keys.size
+
+
+def by_gain(
+    network: SpreadNetwork,
+    setting: Setting,
+    kernel: Kernel,
+    *,
+    n_runs: int,
+    recompute_every: float,
+    until: float,
+    seed: int,
+    progress: Progress,
+) -> np.ndarray:
+    """Priority by gain for the cost, found anew after every few cuts on the same fires.
+
+    Parameters
+    ----------
+    kernel
+        See `mean_gain`.
+    n_runs, seed
+        Fires of the design.
+    recompute_every
+        Share of the cost of all fuel that is cut before the gains are found anew.
+    until
+        Share of the cost after which the remaining cells keep their last gain.
+
+    Returns
+    -------
+    numpy.ndarray
+        (rows, cols) float64.
+    """
+    free = (network.burnable & ~setting.protected).ravel()
+    cost, value = setting.cost.ravel(), setting.value.ravel()
+    if not network.burnable.any():
+        return np.zeros(network.shape)
+    fires = design_fires(network, setting, n_runs=n_runs, seed=seed)
+    alive = network.burnable.ravel().copy()
+    order: list[np.ndarray] = []
+    budget = cost.sum()
+    spent = 0.0
+    while True:
+        step = part(progress, min(spent / (until * budget), 1.0), min(spent / (until * budget) + 0.01, 1.0))
+        gain, lost = mean_gain(kernel, fires, alive, value, progress=step)
+        candidates = np.flatnonzero(free & alive)
+        # Only what can burn is ranked by what it saves; free cells come first.
+        ratio = gain[candidates] / np.maximum(cost[candidates], 1e-12 * budget)
+        ranked = candidates[np.argsort(-ratio, kind="stable")]
+        if spent >= until * budget or lost == 0.0 or ranked.size == 0:
+            order.append(ranked)
+            break
+        count = max(int(np.searchsorted(np.cumsum(cost[ranked]), recompute_every * budget, side="right")), 1)
+        order.append(ranked[:count])
+        alive[ranked[:count]] = False
+        spent += float(cost[ranked[:count]].sum())
+    cells = np.concatenate(order)
+    priority = np.zeros(alive.size)
+    priority[cells] = np.arange(cells.size, 0, -1.0)
+    return priority.reshape(network.shape)

@@ -1,0 +1,119 @@
+"""Gains of single cells by burning again, cuts by networkx, walls by drawing squares."""
+
+from __future__ import annotations
+
+from collections import deque
+
+import networkx as nx
+import numpy as np
+
+from firebreak_gis.kernels.draws import open_edges
+from firebreak_gis.lattice import COL_STEP, ROW_STEP
+from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.placement.fires import Fires
+
+
+def open_graph(network: SpreadNetwork, fires: Fires, run: int) -> nx.DiGraph:
+    """Graph of the edges that are open in one run, over all cells."""
+    rows, cols = network.shape
+    graph = nx.DiGraph()
+    graph.add_nodes_from(range(rows * cols))
+    for cell in range(rows * cols):
+        row, col = divmod(cell, cols)
+        edges = int(open_edges(fires.keys[run], np.uint64(cell), fires.limits.top[cell], fires.limits.rest))
+        for d in range(8):
+            if edges >> (8 * d + 7) & 1:
+                to = (row + ROW_STEP[d]) % rows * cols + (col + COL_STEP[d]) % cols
+                graph.add_edge(cell, to, direction=d)
+    return graph
+
+
+def burnt(graph: nx.DiGraph, start: int, alive: np.ndarray) -> list[int]:
+    """Cells that burn, in the order in which fires of equal step time reach them; also who lit whom."""
+    return list(lit_by(graph, start, alive))
+
+
+def lit_by(graph: nx.DiGraph, start: int, alive: np.ndarray) -> dict[int, int]:
+    if not alive[start]:
+        return {}
+    parents = {start: start}
+    queue = deque([start])
+    while queue:
+        cell = queue.popleft()
+        for target in sorted(graph[cell], key=lambda t: graph[cell][t]["direction"]):
+            if alive[target] and target not in parents:
+                parents[target] = cell
+                queue.append(target)
+    return parents
+
+
+def downstream(graph: nx.DiGraph, start: int, alive: np.ndarray, value: np.ndarray) -> np.ndarray:
+    """Value of every cell and of those below it in the tree of who lit whom, by climbing from each cell."""
+    gain = np.zeros(value.size)
+    parents = lit_by(graph, start, alive)
+    for cell in parents:
+        above = cell
+        gain[above] += value[cell]
+        while parents[above] != above:
+            above = parents[above]
+            gain[above] += value[cell]
+    return gain
+
+
+def loss(graph: nx.DiGraph, start: int, alive: np.ndarray, value: np.ndarray) -> float:
+    return float(value[burnt(graph, start, alive)].sum())
+
+
+def gain_by_deleting(graph: nx.DiGraph, start: int, alive: np.ndarray, value: np.ndarray) -> np.ndarray:
+    """What is saved when each cell in turn is cut."""
+    before = loss(graph, start, alive, value)
+    gain = np.zeros(value.size)
+    for cell in np.flatnonzero(alive):
+        without = alive.copy()
+        without[cell] = False
+        gain[cell] = before - loss(graph, start, without, value)
+    return gain
+
+
+def gain_by_dominators(graph: nx.DiGraph, start: int, alive: np.ndarray, value: np.ndarray) -> np.ndarray:
+    """Value of the dominator subtree of every cell, by networkx."""
+    gain = np.zeros(value.size)
+    if not alive[start]:
+        return gain
+    above = nx.immediate_dominators(graph.subgraph(np.flatnonzero(alive).tolist()), start)
+    for cell in {*above, start}:  # some versions of networkx leave the start out
+        step = cell
+        gain[step] += value[cell]
+        while step != start:
+            step = above[step]
+            gain[step] += value[cell]
+    return gain
+
+
+def separates(network: SpreadNetwork, cut: np.ndarray) -> int:
+    """Number of pieces of fuel that fire cannot pass between in either direction, once `cut` is removed."""
+    graph = network.to_networkx().to_undirected()
+    graph.remove_nodes_from([(int(r), int(c)) for r, c in np.argwhere(cut)])
+    return nx.number_connected_components(graph)
+
+
+def minimum_cut(network: SpreadNetwork, source: np.ndarray, sink: np.ndarray, cost: np.ndarray) -> float:
+    """Cost of the cheapest set of cells outside both ends that separates them; inf if there is none."""
+    graph = nx.DiGraph()
+    for (a, b) in network.to_networkx().edges:
+        graph.add_edge((a, "out"), (b, "in"))
+        graph.add_edge((b, "out"), (a, "in"))
+    for cell in map(tuple, np.argwhere(network.burnable).tolist()):
+        ends = bool(source[cell] or sink[cell])
+        if ends:
+            graph.add_edge((cell, "in"), (cell, "out"))
+        else:
+            graph.add_edge((cell, "in"), (cell, "out"), capacity=float(cost[cell]))
+        if source[cell]:
+            graph.add_edge("source", (cell, "in"))
+        if sink[cell]:
+            graph.add_edge((cell, "out"), "sink")
+    try:
+        return float(nx.minimum_cut_value(graph, "source", "sink"))
+    except nx.NetworkXUnbounded:
+        return float("inf")
