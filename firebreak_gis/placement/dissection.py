@@ -266,7 +266,7 @@ def _cut_all(
 def along(cells: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     """Cells of a line sorted along the axis in which it extends most."""
     row, col = np.divmod(cells, shape[1])
-    if np.ptp(row) >= np.ptp(col):
+    if cells.size and np.ptp(row) >= np.ptp(col):
         return cells[np.lexsort((col, row))]
     return cells[np.lexsort((row, col))]
 

@@ -1,0 +1,58 @@
+"""Parallel bands across a direction: the plainest pattern of practice.
+
+Bands lie evenly spaced across `direction`, the heading of the fires expected; by default the one of eight headings,
+and the shift of the pattern, that leave the least expected loss (ignitions times values, by compartment). Bands stop
+spread over corners. The middle band comes first, then those that halve what is left, then the cells nearest to the
+bands, which widens them. Cost: about 30 passes over the grid.
+Source: linear fuel breaks and their spacing, Finney 2001, doi 10.1093/forestscience/47.2.219.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from firebreak_gis.methods import parameter
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
+
+
+@dataclass(frozen=True)
+class Params:
+    """Parameters of the stripes."""
+
+    direction: float | None = parameter(
+        None, text="heading that the bands lie across, clockwise from north; default: the best of eight",
+        units="degree", minimum=0.0, maximum=360.0,
+    )  # fmt: skip
+    width: int = parameter(1, text="width of the bands", units="cells", minimum=1, maximum=1000)
+    spacing: float | None = parameter(
+        None, text="from band to the next; default: the densest that the budget affords", units="cells", minimum=1.0
+    )
+    budget: float = parameter(
+        0.05, text="share of the cost of all fuel that the pattern may take", minimum=1e-6, maximum=1.0
+    )
+
+
+def rank(
+    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress
+) -> np.ndarray:
+    """Return the order of cutting, (rows, cols) float64, highest first."""
+    from firebreak_gis.placement.orientation import in_standard_orientation
+    from firebreak_gis.placement.patterns import best_pattern, stripes
+
+    def standard(network: SpreadNetwork, setting: Setting, turn: object) -> np.ndarray:
+        headings = (0.0, 45.0, 90.0, 135.0, 22.5, 67.5, 112.5, 157.5)
+        return best_pattern(
+            network, setting, stripes, azimuths=headings if params.direction is None else (params.direction,),
+            width=params.width, spacing=params.spacing, families=1, budget=params.budget, progress=progress,
+        )  # fmt: skip
+
+    if params.direction is None:
+        return in_standard_orientation(network, setting, standard)
+    return standard(network, setting, None)
