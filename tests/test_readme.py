@@ -1,5 +1,6 @@
 """What the README says is run as it stands there."""
 
+import json
 import re
 import shlex
 from pathlib import Path
@@ -38,6 +39,14 @@ def test_commands_run_in_the_order_given(checkout):
         assert outcome.exit_code == 0, f"{line}\n{outcome.output}\n{outcome.exception}"
     assert (checkout / "out/plan/overview.png").stat().st_size > 10_000
     assert (checkout / "out/evaluation/evaluation.svg").exists()
+
+
+def test_plan_with_everything_a_planner_adds(checkout):
+    outcome = CliRunner().invoke(firebreak, shlex.split(block("stakes"))[1:])
+    assert outcome.exit_code == 0, outcome.output
+    summary = json.loads((checkout / "out/stakes/run.json").read_text())["summary"]
+    assert 148_000 < summary["cost"] <= 150_000
+    assert summary["value_lost_with_breaks"] < summary["value_lost_without_breaks"]
 
 
 def test_python_example_runs(checkout):
