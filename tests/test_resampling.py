@@ -8,6 +8,9 @@ import pytest
 from affine import Affine
 from places import NORTH_WEST, UTM, patches, relief, square
 from pyproj import Transformer
+from rasterio.enums import Resampling
+from rasterio.io import MemoryFile
+from rasterio.vrt import WarpedVRT
 
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.landscape import resampling
@@ -144,3 +147,32 @@ def test_outside_is_missing():
     wanted = np.where(expected == 7, np.float32(7), np.float32(np.nan))
     np.testing.assert_array_equal(bilinear(heights, placed("same_crs"), far), wanted)
     np.testing.assert_array_equal(average(heights, placed("same_crs"), far), wanted)
+
+
+@pytest.mark.parametrize("how", [nearest, bilinear])
+@pytest.mark.parametrize("place", PLACES)
+def test_gdal_forced_to_be_exact_agrees(how, place):
+    """The warper of GDAL without its interpolation of coordinates, see the module's text."""
+    grid = Grid((70, 61), square(9.7, (NORTH_WEST[0] + 63.3, NORTH_WEST[1] - 51.7)), parse_crs(UTM))
+    classes = how is nearest
+    values = patches(*SHAPE, [0, 1, 2, 3, 9], size=1).astype(np.int32) if classes else relief(*SHAPE)
+    transform, crs = PLACES[place]
+    profile = {"driver": "GTiff", "count": 1, "height": SHAPE[0], "width": SHAPE[1], "dtype": values.dtype.name}
+    with MemoryFile() as memory:
+        with memory.open(**profile, crs=crs, transform=transform) as target:
+            target.write(values, 1)
+        with (
+            memory.open() as source,
+            WarpedVRT(
+                source, crs=UTM, transform=grid.transform, width=grid.shape[1], height=grid.shape[0],
+                resampling=Resampling.nearest if classes else Resampling.bilinear,
+                nodata=-1, tolerance=1e-12, XSCALE="1", YSCALE="1",
+            ) as warped,
+        ):  # fmt: skip
+            expected = warped.read(1)
+    if classes:
+        np.testing.assert_array_equal(nearest(values, placed(place), grid, -1), expected)
+    else:
+        result = bilinear(values, placed(place), grid)
+        np.testing.assert_allclose(np.where(np.isnan(result), -1, result), expected, rtol=1e-6)
+    assert (expected != -1).mean() > 0.9

@@ -1,9 +1,20 @@
 """Values of one raster on the cells of another grid, by exact transformation of every cell centre.
 
-GDAL's warper approximates coordinates unless told otherwise, and the version of rasterio decides
-whether it can be told; then the cells at the edge of two classes depend on how the work is tiled.
-Here each result depends on its own cell alone. Cost: one coordinate transformation a cell where the
-reference systems differ (about 1 microsecond), little otherwise.
+Each result depends on its own cell alone: not on tiles, threads or releases. Cost: one coordinate
+transformation a cell where the reference systems differ (about 1 microsecond), little otherwise.
+
+Why not GDAL's warper (measured with GDAL 3.10 and 3.12, rasterio 1.4.4 and 1.5.2, random classes):
+
+* by default it interpolates coordinates: 121,004 of 1.8 million nearest cells were not the nearest, and
+  69,991 changed with the tiles. `reproject(tolerance=0)` is exact in rasterio 1.5 and ignored in 1.4;
+  `WarpedVRT(tolerance=0)` does not open in either.
+* `WarpedVRT(tolerance=1e-12, XSCALE="1", YSCALE="1")` is exact for nearest and bilinear in both; the tests
+  hold `nearest` and `bilinear` against it.
+* mode counts cells in GDAL 3.10 and weighs them by area in 3.12, so the same input gives other classes.
+* average and mode take the box between two opposite corners of a cell, which is wrong for rotated layers
+  and a line at 45 degrees.
+
+All four stay here, so that the layers of one landscape are laid by one and the same transformation.
 """
 
 from __future__ import annotations
