@@ -9,49 +9,18 @@ import subprocess
 import sys
 import textwrap
 import time
-import zipfile
 from pathlib import Path
 
 import pytest
 
 PLUGINS = Path(__file__).resolve().parent.parent / "qgis_plugin"
-sys.path.insert(0, str(PLUGINS))
+sys.path[:0] = [str(PLUGINS), str(Path(__file__).resolve().parent / "qgis")]
 
 from firebreak import arguments, manifest, results  # noqa: E402
 from firebreak.engine import environment, errors, lookup, making, process  # noqa: E402
+from stand_ins import STAND_IN, make_wheel  # noqa: E402
 
 posix = pytest.mark.skipif(os.name != "posix", reason="starts shell scripts")
-
-#: A stand-in for the engine: answers the handshake and does what the first argument says.
-STAND_IN = """
-import json, os, sys, threading, time
-def say(**d): print(json.dumps(d), flush=True)
-if "--version" in sys.argv:
-    say(software="firebreak_gis", version=os.environ.get("STAND_IN_VERSION", "9.9.9")); sys.exit()
-what = sys.argv[1]
-if what == "work":
-    print("a stray line", flush=True)
-    for i in range(5): say(progress=i / 4, message=f"step {i}")
-    say(progress=1.0, message="step 4")
-    say(warning="thin ice")
-    say(result={"args": sys.argv[1:], "environment": dict(os.environ)})
-elif what == "refuse":
-    say(error={"kind": "input", "message": "no CRS", "exit_code": 3}); sys.exit(3)
-elif what == "die":
-    os.kill(os.getpid(), 9)
-elif what == "crash":
-    print("Traceback: something odd", file=sys.stderr); sys.exit(1)
-elif what in ("listen", "deaf"):
-    stop = threading.Event()
-    def listen():
-        for line in sys.stdin:
-            if line.strip() == "cancel": break
-        stop.set()
-    threading.Thread(target=listen, daemon=True).start()
-    say(progress=0.1, message=str(os.getpid()))
-    while what == "deaf" or not stop.is_set(): time.sleep(0.02)
-    sys.exit(130)
-"""
 
 
 @pytest.fixture(autouse=True)
@@ -117,9 +86,7 @@ def test_lookup_order(program, tmp_path):
     (made / "bin" / "python3").symlink_to(sys.executable)
     path = {"PATH": str(program.parent)}
     everything = lookup.Places("/set/python", made, {**path, lookup.VARIABLE: "/variable/python"})
-    assert lookup.candidates(everything) == [
-        ("the variable FIREBREAK_PYTHON", lookup.command_of("/variable/python"))
-    ]
+    assert lookup.candidates(everything) == [("the variable FIREBREAK_PYTHON", lookup.command_of("/variable/python"))]
     assert lookup.candidates(lookup.Places("/set/python", made, path))[0][0] == "the settings"
     rest = lookup.candidates(lookup.Places("", made, path))
     assert [origin for origin, _ in rest] == ["the engine made by the plugin", "firebreak on the PATH"]
@@ -261,9 +228,7 @@ def test_no_orphan_when_the_caller_is_killed(program, tmp_path, blow):
         listener = process.Listener(progress=lambda f, m: print(m, flush=True))
         process.run(engine, ["listen"], listener, folder={str(tmp_path)!r})
     """)
-    started = subprocess.Popen(
-        [sys.executable, "-c", caller], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
-    )
+    started = subprocess.Popen([sys.executable, "-c", caller], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     with started:
         pid = int(started.stdout.readline())
         assert alive(pid)
@@ -280,17 +245,7 @@ def test_no_orphan_when_the_caller_is_killed(program, tmp_path, blow):
 
 @pytest.fixture
 def wheel(tmp_path):
-    """A wheel with a package of the engine's name that knows its version."""
-    path = tmp_path / "firebreak_gis-9.8.7-py3-none-any.whl"
-    code = "import json; print(json.dumps({'software': 'firebreak_gis', 'version': '9.8.7'}))"
-    info = "firebreak_gis-9.8.7.dist-info"
-    with zipfile.ZipFile(path, "w") as archive:
-        archive.writestr("firebreak_gis/__init__.py", "")
-        archive.writestr("firebreak_gis/__main__.py", code)
-        archive.writestr(f"{info}/METADATA", "Metadata-Version: 2.1\nName: firebreak_gis\nVersion: 9.8.7\n")
-        archive.writestr(f"{info}/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
-        archive.writestr(f"{info}/RECORD", "")
-    return path
+    return make_wheel(tmp_path)
 
 
 def test_make_engine(wheel, tmp_path):

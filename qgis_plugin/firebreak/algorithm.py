@@ -191,7 +191,7 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
                 continue
             deliver(made / output.file, Path(path))
             if output.kind != "file":
-                style_later(output.name, path, context)
+                style_later(output.name, path, made.parent.name, context)
             delivered[output.name] = path
         numbers = {key.upper(): result[key] for key in self._description.form.numbers if key in result}
         return {**delivered, **numbers}

@@ -30,7 +30,7 @@ _DECIMALS = 6
 
 def input_parameter(field: Field) -> QgsProcessingParameterDefinition:
     """Return the QGIS parameter for a field."""
-    label, optional = translated(field.label), not field.required
+    label, optional = translated(field.label), _is_optional(field)
     make: dict[str, Any] = {
         "raster": lambda: QgsProcessingParameterRasterLayer(field.name, label, optional=optional),
         "vector": lambda: QgsProcessingParameterFeatureSource(
@@ -74,8 +74,13 @@ def output_parameter(output: Output) -> QgsProcessingParameterDefinition:
     )
 
 
+def _is_optional(field: Field) -> bool:
+    """Tell whether a model may leave the field out; advanced ones always, so that models outlive new options."""
+    return field.advanced or not (field.required or field.default is not None)
+
+
 def _number(field: Field, label: str, kind: Any) -> QgsProcessingParameterNumber:
-    parameter = QgsProcessingParameterNumber(field.name, label, kind, field.default, optional=field.default is None)
+    parameter = QgsProcessingParameterNumber(field.name, label, kind, field.default, optional=_is_optional(field))
     if field.low is not None:
         parameter.setMinimum(field.low)
     if field.high is not None:
@@ -94,6 +99,6 @@ def _choice(field: Field, label: str, *, several: bool) -> QgsProcessingParamete
         list(field.choices),
         allowMultiple=several,
         defaultValue=default,
-        optional=field.default is None,
+        optional=_is_optional(field),
         usesStaticStrings=True,
     )

@@ -28,6 +28,7 @@ from qgis.core import (
     QgsProcessingModelChildParameterSource,
     QgsProcessingModelOutput,
     QgsProcessingModelParameter,
+    QgsProcessingParameterDefinition,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
     QgsProject,
@@ -145,6 +146,11 @@ def _child(
     child.setChildId(name or algorithm)
     child.setDescription(child.algorithm().displayName() + (f" ({name} breaks)" if name else ""))
     child.setPosition(QPointF(420, 80 + 100 * row))
+    for definition in child.algorithm().parameterDefinitions():
+        optional = definition.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional
+        if not optional and definition.defaultValue() is not None:
+            value = QgsProcessingModelChildParameterSource.fromStaticValue(definition.defaultValue())
+            child.addParameterSources(definition.name(), [value])
     for parameter, source in sources.items():
         child.addParameterSources(parameter, [source])
     outputs = {}

@@ -1,0 +1,293 @@
+"""Every algorithm on real layers in a real QGIS; the outputs are those of the command line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from conftest import QUICK, ROOT, cells, firebreak
+from osgeo import ogr
+from qgis import processing
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateReferenceSystem,
+    QgsFeature,
+    QgsGeometry,
+    QgsProcessingException,
+    QgsProcessingFeatureSourceDefinition,
+    QgsProcessingFeedback,
+    QgsProcessingModelAlgorithm,
+    QgsProject,
+    QgsRasterLayer,
+    QgsVectorLayer,
+)
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+
+def features(path: object) -> list:
+    # A data source has to outlive its layers.
+    source = ogr.Open(str(path))
+    return sorted(feature.ExportToJson() for feature in source.GetLayer(0))
+
+
+def run(name: str, **parameters):
+    return processing.run(f"firebreak:{name}", parameters)
+
+
+class Told(QgsProcessingFeedback):
+    """Keeps what an algorithm says."""
+
+    def __init__(self):
+        super().__init__(False)
+        self.texts, self.steps = [], []
+        self.progressChanged.connect(self.steps.append)
+
+    def pushInfo(self, info):  # noqa: N802
+        self.texts.append(info)
+
+    def pushWarning(self, warning):  # noqa: N802
+        self.texts.append(f"Warning: {warning}")
+
+
+def test_align(layers, reference, tmp_path):
+    outputs = {f"OUTPUT_{n.upper()}": str(tmp_path / f"{n}.tif") for n in ("elevation", "vegetation", "density")}
+    outputs["OUTPUT_RUN"] = str(tmp_path / "account.json")
+    found = run("align", **layers, RESOLUTION=QUICK["RESOLUTION"], **outputs)
+    for name in ("elevation", "vegetation", "density"):
+        assert cells(found[f"OUTPUT_{name.upper()}"]) == cells(reference / "landscape" / f"{name}.tif")
+        assert (tmp_path / f"{name}.qml").is_file()
+    assert "alignment" in Path(found["OUTPUT_RUN"]).read_text(encoding="utf-8")
+
+
+def test_network_of_raw_layers(layers, reference, tmp_path):
+    found = run("network", **layers, RESOLUTION=QUICK["RESOLUTION"], WIND_SPEED=8, WIND_FROM=315,
+                OUTPUT_NETWORK=str(tmp_path / "n.tif"))  # fmt: skip
+    assert cells(found["OUTPUT_NETWORK"]) == cells(reference / "network.tif")
+    assert found["BURNABLE_CELLS"] > 1000
+
+
+def test_network_of_aligned_layers(reference, tmp_path):
+    aligned = {f"INPUT_{name}": str(reference / "landscape" / f"{file}.tif") for name, file in
+               (("DEM", "elevation"), ("VEGETATION", "vegetation"), ("DENSITY", "density"))}  # fmt: skip
+    found = run("network", **aligned, WIND_SPEED=8, WIND_FROM=315, OUTPUT_NETWORK=str(tmp_path / "n.tif"))
+    assert cells(found["OUTPUT_NETWORK"]) == cells(reference / "network.tif")
+
+
+def test_rank(reference, tmp_path):
+    found = run("rank", INPUT_NETWORK=str(reference / "network.tif"), METHOD="bonacich", BONACICH_BETA=0.3,
+                OUTPUT_PRIORITY=str(tmp_path / "p.tif"))  # fmt: skip
+    assert cells(found["OUTPUT_PRIORITY"]) == cells(reference / "priority.tif")
+
+
+def test_breaks(reference, tmp_path):
+    found = run("breaks", INPUT_PRIORITY=str(reference / "priority.tif"), BUDGET=0.08,
+                OUTPUT_BREAKS=str(tmp_path / "b.tif"), OUTPUT_BREAK_POLYGONS=str(tmp_path / "b.gpkg"))  # fmt: skip
+    assert cells(found["OUTPUT_BREAKS"]) == cells(reference / "breaks.tif")
+    assert features(found["OUTPUT_BREAK_POLYGONS"]) == features(reference / "breaks.gpkg")
+    assert found["CELLS_CUT"] == sum(map(sum, ([v == 1 for v in row] for row in cells(reference / "breaks.tif")[0])))
+
+
+def test_burn(data, reference, tmp_path):
+    found = run("burn", INPUT_NETWORK=str(reference / "network.tif"), INPUT_BREAKS=str(reference / "breaks.tif"),
+                INPUT_IGNITIONS=str(data / "ignitions.gpkg"), N_RUNS=QUICK["N_RUNS"],
+                OUTPUT_FREQUENCY=str(tmp_path / "f.tif"), OUTPUT_FIRE_SIZES=str(tmp_path / "s.csv"))  # fmt: skip
+    assert cells(found["OUTPUT_FREQUENCY"]) == cells(reference / "burn_frequency.tif")
+    assert Path(found["OUTPUT_FIRE_SIZES"]).read_bytes() == (reference / "sizes.csv").read_bytes()
+    assert 0 < found["MEAN_BURNT_SHARE"] <= found["MAX_BURNT_SHARE"] <= 1
+
+
+def test_evaluate(reference, tmp_path):
+    found = run("evaluate", INPUT_NETWORK=str(reference / "network.tif"), METHODS=["degree", "random"],
+                BUDGETS="0,0.1,0.2", N_RUNS=QUICK["N_RUNS"], OUTPUT_EVALUATION=str(tmp_path / "e.csv"),
+                OUTPUT_FIGURE=str(tmp_path / "e.png"), OUTPUT_FIGURE_SVG=str(tmp_path / "e.svg"))  # fmt: skip
+    kept = reference / "evaluation" / "evaluation.csv"
+    assert Path(found["OUTPUT_EVALUATION"]).read_bytes() == kept.read_bytes()
+    assert Path(found["OUTPUT_FIGURE"]).read_bytes()[:4] == b"\x89PNG"
+    assert "<svg" in Path(found["OUTPUT_FIGURE_SVG"]).read_text(encoding="utf-8")
+
+
+def test_compare(provider, reference, tmp_path):
+    if provider.algorithm("compare") is None:
+        pytest.skip("the command line has no compare")
+    words = {"budgets": "0.05,0.1", "residuals": "0,0.1", "runs": QUICK["N_RUNS"], "methods": "degree,random"}
+    firebreak("compare", *(w for k, v in words.items() for w in (f"--{k}", v)), "-o", tmp_path / "cli",
+              reference / "network.tif")  # fmt: skip
+    found = run("compare", INPUT_NETWORK=str(reference / "network.tif"), METHODS=["degree", "random"],
+                BUDGETS="0.05,0.1", RESIDUALS="0,0.1", N_RUNS=QUICK["N_RUNS"],
+                OUTPUT_COMPARISON=str(tmp_path / "c.csv"), OUTPUT_FIGURE=str(tmp_path / "c.png"))  # fmt: skip
+    kept = tmp_path / "cli" / "comparison.csv"
+    assert Path(found["OUTPUT_COMPARISON"]).read_bytes() == kept.read_bytes()
+
+
+def test_plan(data, layers, reference, tmp_path):
+    told = Told()
+    outputs = {"PRIORITY": "priority.tif", "BREAKS": "breaks.tif", "FREQUENCY": "burn_frequency.tif",
+               "FREQUENCY_WITH_BREAKS": "burn_frequency_with_breaks.tif", "ELEVATION": "elevation.tif",
+               "VEGETATION": "vegetation.tif", "DENSITY": "density.tif"}  # fmt: skip
+    paths = {f"OUTPUT_{name}": str(tmp_path / "sub" / f"my {file}") for name, file in outputs.items()}
+    files = {"OUTPUT_BREAK_POLYGONS": str(tmp_path / "p.gpkg"), "OUTPUT_FIRE_SIZES": str(tmp_path / "s.csv"),
+             "OUTPUT_EVALUATION": str(tmp_path / "e.csv"), "OUTPUT_OVERVIEW": str(tmp_path / "o.png")}  # fmt: skip
+    found = processing.run("firebreak:plan", {**layers, **QUICK, **paths, **files, "METHOD": "degree",
+                                              "INPUT_IGNITIONS": str(data / "ignitions.gpkg")},
+                           feedback=told)  # fmt: skip
+    for name, file in outputs.items():
+        assert cells(found[f"OUTPUT_{name}"]) == cells(reference / "plan" / file), name
+    assert features(found["OUTPUT_BREAK_POLYGONS"]) == features(reference / "plan" / "breaks.gpkg")
+    for name, file in (("FIRE_SIZES", "fire_sizes.csv"), ("EVALUATION", "evaluation.csv")):
+        assert Path(found[f"OUTPUT_{name}"]).read_bytes() == (reference / "plan" / file).read_bytes()
+    assert found["BURNT_SHARE_WITH_BREAKS"] <= found["BURNT_SHARE_WITHOUT_BREAKS"]
+    assert told.steps == sorted(told.steps)
+    assert len({round(step) for step in told.steps}) > 10
+    assert any("resampled" in text for text in told.texts)
+
+
+# --- layers as users have them --------------------------------------------------------------------------------
+
+
+def points(data: Path) -> QgsVectorLayer:
+    return QgsVectorLayer(str(data / "ignitions.gpkg"), "points", "ogr")
+
+
+def burnt(reference: Path, tmp_path: Path, ignitions: object) -> list:
+    found = run("burn", INPUT_NETWORK=str(reference / "network.tif"), INPUT_IGNITIONS=ignitions, N_RUNS=4,
+                OUTPUT_FREQUENCY=str(tmp_path / "f.tif"))  # fmt: skip
+    return cells(found["OUTPUT_FREQUENCY"])[0]
+
+
+def test_memory_layers_and_selections(data, reference, tmp_path):
+    """A memory layer of one point, and that point selected in its file, burn alike; all points do not."""
+    layer = points(data)
+    chosen = next(iter(layer.getFeatures()))
+    memory = QgsVectorLayer("Point?crs=" + layer.crs().authid(), "memory", "memory")
+    copy = QgsFeature()
+    copy.setGeometry(QgsGeometry(chosen.geometry()))
+    memory.dataProvider().addFeatures([copy])
+    layer.selectByIds([chosen.id()])
+    QgsProject.instance().addMapLayers([layer, memory])
+    try:
+        selected = burnt(
+            reference, tmp_path, QgsProcessingFeatureSourceDefinition(layer.id(), selectedFeaturesOnly=True)
+        )
+        assert selected == burnt(reference, tmp_path, memory)
+        assert selected != burnt(reference, tmp_path, layer)
+    finally:
+        QgsProject.instance().clear()
+
+
+def test_a_crs_set_in_qgis_counts(data, layers, tmp_path):
+    """The file has no CRS, the user has set it on the layer; the engine sees the layer's."""
+    from osgeo import gdal
+
+    naked = tmp_path / "naked.tif"
+    gdal.Translate(str(naked), layers["INPUT_DEM"])
+    file = gdal.Open(str(naked), gdal.GA_Update)
+    file.SetProjection("")
+    del file
+    layer = QgsRasterLayer(str(naked), "dem")
+    layer.setCrs(QgsCoordinateReferenceSystem("EPSG:4326"))
+    same = {"RESOLUTION": QUICK["RESOLUTION"]}
+    found = run("align", **{**layers, **same, "INPUT_DEM": layer}, OUTPUT_ELEVATION=str(tmp_path / "a.tif"))
+    usual = run("align", **layers, **same, OUTPUT_ELEVATION=str(tmp_path / "b.tif"))
+    assert cells(found["OUTPUT_ELEVATION"]) == cells(usual["OUTPUT_ELEVATION"])
+    layer.setCrs(QgsCoordinateReferenceSystem())
+    with pytest.raises(QgsProcessingException, match=r"coordinate reference system|CRS"):
+        run("align", **{**layers, **same, "INPUT_DEM": layer}, OUTPUT_ELEVATION=str(tmp_path / "c.tif"))
+
+
+def test_extent_crs_and_density_word(layers, tmp_path):
+    given = {k: v for k, v in layers.items() if k != "INPUT_DENSITY"}
+    box = "586000,590000,4003000,4007000 [EPSG:32635]"
+    found = run("align", **given, DENSITY="dense", BOUNDS=box, CRS="EPSG:32635", RESOLUTION=100,
+                OUTPUT_ELEVATION=str(tmp_path / "e.tif"), OUTPUT_DENSITY=str(tmp_path / "d.tif"))  # fmt: skip
+    values, transform, _, _ = cells(found["OUTPUT_ELEVATION"])
+    assert (len(values), len(values[0]), transform[0], transform[3]) == (40, 40, 586000, 4007000)
+    assert {v for row in cells(found["OUTPUT_DENSITY"])[0] for v in row} <= {0, 3, 255}
+    with pytest.raises(QgsProcessingException, match="needs the CRS"):
+        run("align", **given, DENSITY="dense", BOUNDS=box, OUTPUT_ELEVATION=str(tmp_path / "x.tif"))
+
+
+def test_cost_polygons_with_a_field(data, reference, tmp_path, provider):
+    names = {p.name() for p in provider.algorithm("rank").parameterDefinitions()}
+    if "INPUT_VALUES" not in names:
+        pytest.skip("the command line has no values")
+    found = run("rank", INPUT_NETWORK=str(reference / "network.tif"), METHOD="degree",
+                INPUT_PROTECTED=str(data / "villages.gpkg"), INPUT_VALUES=str(data / "villages.gpkg"),
+                VALUES_FIELD="people", OUTPUT_PRIORITY=str(tmp_path / "p.tif"))  # fmt: skip
+    assert Path(found["OUTPUT_PRIORITY"]).is_file()
+
+
+# --- refusals and stops ---------------------------------------------------------------------------------------
+
+
+def test_refusals_are_told_in_the_engines_words(layers, tmp_path):
+    with pytest.raises(QgsProcessingException, match=r"(?s)budget.*1\.5|1\.5.*budget"):
+        run("plan", **layers, **QUICK, BUDGET=1.5, OUTPUT_BREAKS=str(tmp_path / "b.tif"))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_input_is_never_overwritten(reference):
+    with pytest.raises(QgsProcessingException, match="overwrite an input"):
+        run("breaks", INPUT_PRIORITY=str(reference / "priority.tif"), OUTPUT_BREAKS=str(reference / "priority.tif"))
+
+
+def test_cancel(layers, tmp_path):
+    import time
+
+    told, asked = Told(), []
+    told.progressChanged.connect(lambda percent: (asked.append(time.monotonic()), told.cancel()) if percent > 15 else 0)
+    found = processing.run("firebreak:plan", {**layers, "METHOD": "betweenness", "N_RUNS": 5000,
+                                              "OUTPUT_BREAKS": str(tmp_path / "b.tif")}, feedback=told)  # fmt: skip
+    assert time.monotonic() - asked[0] < 1.5  # a second, and the end of the Processing framework
+    assert "OUTPUT_BREAKS" not in found or not Path(found["OUTPUT_BREAKS"]).exists()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_no_engine(layers, monkeypatch, tmp_path):
+    monkeypatch.setenv("FIREBREAK_PYTHON", str(tmp_path / "absent"))
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("firebreak:plan")
+    able, words = algorithm.canExecute()
+    assert not able
+    assert "no such file" in words
+    assert "Make engine" in words
+    with pytest.raises(QgsProcessingException, match="no such file"):
+        run("plan", **layers, OUTPUT_BREAKS=str(tmp_path / "b.tif"))
+
+
+# --- forms ----------------------------------------------------------------------------------------------------
+
+
+def test_provider_and_forms(provider):
+    assert provider.id() == "firebreak"
+    assert not provider.icon().isNull()
+    names = {a.name(): a for a in provider.algorithms()}
+    assert {"align", "network", "rank", "breaks", "plan", "burn", "evaluate"} <= set(names)
+    for algorithm in names.values():
+        assert not algorithm.icon().isNull()
+        assert algorithm.groupId() in ("prepare", "plan", "fire", "judge")
+        page = algorithm.shortHelpString()
+        assert "<img" in page
+        assert algorithm.helpUrl().startswith("https://")
+        assert algorithm.tags()
+        for definition in algorithm.parameterDefinitions():
+            assert definition.description()
+            default = definition.defaultValue()
+            assert default is None or definition.checkValueIsAcceptable(default), definition.name()
+        assert all(d.defaultFileExtension() in ("tif", "gpkg", "csv", "png", "svg", "json", "html")
+                   for d in algorithm.destinationParameterDefinitions())  # fmt: skip
+    method = names["plan"].parameterDefinition("METHOD")
+    assert method.usesStaticStrings()
+    assert "bonacich" in method.options()
+
+
+def test_sample_model_and_project(layers, tmp_path):
+    sample = ROOT / "qgis_plugin" / "sample"
+    project = QgsProject()
+    assert project.read(str(sample / "sample_landscape.qgs"))
+    assert len(project.mapLayers()) >= 6
+    assert all(layer.isValid() for layer in project.mapLayers().values())
+    model = QgsProcessingModelAlgorithm()
+    assert model.fromFile(str(sample / "breaks_and_burns.model3"))
+    assert [model.validateChildAlgorithm(child) for child in model.childAlgorithms()]
+    for child in model.childAlgorithms().values():
+        assert model.validateChildAlgorithm(child.childId())[0], child.childId()
