@@ -50,7 +50,7 @@ def _warm_landscape() -> None:
     from firebreak_gis.spread import spread_network
 
     grid = Grid((4, 5))
-    planes = {
+    planes: dict[str, np.ndarray] = {
         "elevation": np.zeros(grid.shape, np.float32),
         "vegetation": np.ones(grid.shape, np.uint8),
         "density": np.ones(grid.shape, np.uint8),
