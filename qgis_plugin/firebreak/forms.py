@@ -127,7 +127,7 @@ FORMS = (
         "compare",
         "Compare",
         "judge",
-        ("network", *_LAYERS, "method_list", "budgets", *_FIRES),
+        ("network", "method_list", "budgets", "residuals", *_FIRES),
         ("OUTPUT_COMPARISON", "OUTPUT_FIGURE", "OUTPUT_REPORT"),
         tags=("statistics", "leak", "budget"),
     ),
