@@ -70,8 +70,8 @@ class Smoke:
         engine = [self.environment["FIREBREAK_PYTHON"], "-I", "-X", "utf8"]
         own = self.folder / "own"
         layers = [word.partition("=")[2] for word in self.layers]
-        subprocess.run([*engine, "-m", "firebreak_gis", "plan", "--res", "90", "--runs", "10", "--method", "degree", "-q",
-                        "-o", str(own), *layers], check=True, env=self.environment)  # fmt: skip
+        words = ["plan", "--res", "90", "--runs", "10", "--method", "degree", "-q", "-o", str(own), *layers]
+        subprocess.run([*engine, "-m", "firebreak_gis", *words], check=True, env=self.environment)
         cells = [subprocess.run([*engine, "-c", code, str(path)], check=True, capture_output=True).stdout
                  for path in (target, own / "breaks.tif")]  # fmt: skip
         assert cells[0] == cells[1]
@@ -132,11 +132,11 @@ class Smoke:
             started = subprocess.Popen(
                 command, env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
             )
-            engine = wait_for(lambda: children(started.pid), 30)
+            engine = wait_for(lambda process=started: children(process.pid), 30)
             time.sleep(1.0)
             started.send_signal(blow)
             started.wait(20)
-            wait_for(lambda: not any(alive(pid) for pid in engine), 2)
+            wait_for(lambda pids=engine: not any(alive(pid) for pid in pids), 2)
             assert not target.exists()
 
 
