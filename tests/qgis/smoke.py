@@ -71,7 +71,7 @@ class Smoke:
         own = self.folder / "own"
         layers = [word.partition("=")[2] for word in self.layers]
         words = ["plan", "--res", "90", "--runs", "10", "--method", "degree", "-q", "-o", str(own), *layers]
-        subprocess.run([*engine, "-m", "firebreak_gis", *words], check=True, env=self.environment)
+        subprocess.run([*engine, "-m", "firebreak_gis", *words], check=True)
         cells = [subprocess.run([*engine, "-c", code, str(path)], check=True, capture_output=True).stdout
                  for path in (target, own / "breaks.tif")]  # fmt: skip
         assert cells[0] == cells[1]
@@ -108,36 +108,31 @@ class Smoke:
         python = self.environment["FIREBREAK_PYTHON"]
         subprocess.run([python, "-I", "-c", code, str(self.data / "vegetation.tif"), str(wrong)], check=True)
         target = self.folder / "crs.tif"
-        done = self.plan(f"INPUT_VEGETATION={wrong}", f"OUTPUT_BREAKS={target}")
+        dem, _, density = self.layers
+        words = (dem, f"INPUT_VEGETATION={wrong}", density, *QUICK, f"OUTPUT_BREAKS={target}")
+        done = self.call("run", "firebreak:plan", "--", *words)
         assert done.returncode != 0
-        assert "wrong.tif" in done.stdout + done.stderr
+        assert "wrong.tif claims degrees" in done.stdout + done.stderr
         assert "Traceback" not in done.stdout + done.stderr
         assert not target.exists()
 
     def check_stop(self) -> None:
         """Whatever ends QGIS, the engine has ended within two seconds and no output was written."""
         for blow in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
-            target = self.folder / f"stopped-{blow.name}.tif"
-            words = ["INPUT_IGNITIONS=" + str(self.data / "ignitions.gpkg"), f"OUTPUT_BREAKS={target}"]
-            command = [
-                PROGRAM,
-                "run",
-                "firebreak:plan",
-                "--",
-                *self.layers,
-                "METHOD=betweenness",
-                "N_RUNS=5000",
-                *words,
-            ]
-            started = subprocess.Popen(
-                command, env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-            )
-            engine = wait_for(lambda process=started: children(process.pid), 30)
+            self._stop_by(blow)
+
+    def _stop_by(self, blow: signal.Signals) -> None:
+        target = self.folder / f"stopped-{blow.name}.tif"
+        words = [*self.layers, "METHOD=betweenness", "N_RUNS=5000", f"OUTPUT_BREAKS={target}"]
+        command = [PROGRAM, "run", "firebreak:plan", "--", *words]
+        with subprocess.Popen(
+            command, env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        ) as started:
+            engine = wait_for(lambda: children(started.pid), 30)
             time.sleep(1.0)
             started.send_signal(blow)
-            started.wait(20)
-            wait_for(lambda pids=engine: not any(alive(pid) for pid in pids), 2)
-            assert not target.exists()
+        wait_for(lambda: not any(alive(pid) for pid in engine), 2)
+        assert not target.exists()
 
 
 def children(parent: int) -> list[int]:
