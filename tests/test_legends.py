@@ -10,8 +10,10 @@ from firebreak_gis import legends
 from firebreak_gis.errors import LegendError
 from firebreak_gis.legends import parse, read_legend
 
-BUILT_IN = ["canopy_cover", "corine", "density", "eu12", "kitral", "paper", "prop6", "scott_burgan_40",
-            "tree_cover_density"]  # fmt: skip
+BUILT_IN = [
+    "anderson_13", "canopy_cover", "corine", "corine_grid", "density", "eu12", "fbp", "kitral", "paper", "prop6",
+    "scott_burgan_40", "tree_cover_density", "worldcover",
+]  # fmt: skip
 LETTERS = {"N": 0, "A": 1, "S": 2, "P": 3}
 
 
@@ -21,7 +23,7 @@ def classes(name):
 
 
 def test_the_built_in_legends_are_listed_with_their_sources():
-    assert [name for name in legends.names() if name in BUILT_IN] == BUILT_IN
+    assert legends.names() == BUILT_IN
     for name in legends.names():
         legend = read_legend(name)
         assert legend.about
@@ -72,6 +74,42 @@ def test_scott_and_burgan():
     assert {code: found[code] for code in some} == {c: (LETTERS[t[0]], int(t[1])) for c, t in some.items()}
     own = {int(e.low) for e in read_legend("scott_burgan_40").entries if not e.density_from_raster}
     assert set(found) - own == {c for c in found if 161 <= c <= 189}
+
+
+def test_the_grid_codes_of_corine_are_its_codes_in_order():
+    found, grid = classes("corine"), classes("corine_grid")
+    assert [grid[i] for i in range(1, 45)] == [found[code] for code in sorted(found)]
+    assert grid[24] == found[312]  # coniferous forest
+
+
+def test_anderson_follows_scott_and_burgan():
+    found = classes("anderson_13")
+    expected = ["A2", "A2", "A3", "S3", "S1", "S2", "S2", "P1", "P2", "P3", "P2", "P3", "P3"]
+    assert [found[code] for code in range(1, 14)] == [(LETTERS[t], int(d)) for t, d in expected]
+    assert {code for code, (kind, _) in found.items() if kind == 0} == {91, 92, 93, 98, 99}
+    assert {int(e.low) for e in read_legend("anderson_13").entries if e.density_from_raster} == {8, 9, 10}
+
+
+def test_worldcover_has_the_eleven_classes_of_the_product():
+    found = classes("worldcover")
+    assert sorted(found) == [10, 20, 30, 40, 50, 60, 70, 80, 90, 95, 100]
+    assert {code for code, (kind, _) in found.items() if kind == 0} == {50, 60, 70, 80}
+    assert any("all trees are taken as pines" in line for line in read_legend("worldcover").about)
+
+
+def test_canadian_fuel_types():
+    found = classes("fbp")
+    assert {code for code, (kind, _) in found.items() if kind == 0} == set(range(100, 107))
+    assert all(found[code][0] == LETTERS["P"] for code in (*range(1, 8), 21, 22, 23))
+    assert found[2] == (LETTERS["P"], 3)
+    assert found[12] == (LETTERS["S"], 1)
+    assert found[31] == (LETTERS["A"], 2)
+    # The more conifers, the better it burns.
+    for base in (400, 500, 600):
+        assert [found[base + share] for share in (5, 45, 50, 70, 75, 95)] == [(2, 2)] * 2 + [(3, 1)] * 2 + [(3, 2)] * 2
+        assert found[base // 10] == found[base + 50]
+    for base in (700, 800, 900):
+        assert [found[base + share] for share in (5, 45, 50, 95)] == [(3, 2)] * 2 + [(3, 3)] * 2
 
 
 def test_corine():

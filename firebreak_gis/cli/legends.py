@@ -16,10 +16,16 @@ from firebreak_gis.schema import DENSITY, VEGETATION
 @click.argument("name", required=False)
 @options.common
 def command(session: Session, name: str | None) -> None:
-    """List the built-in legends, or show one: NAME (or a CSV file) as a table."""
+    """List the built-in legends, or show one: NAME (or a CSV file) as a table.
+
+    There is none for LANDFIRE EVT: its codes name plant communities, change with each release and do not tell
+    how well they burn. Take FBFM40 (scott_burgan_40) or FBFM13 (anderson_13) of the same release.
+    """
     if name is None:
         found = legends.names()
-        session.finish({"legends": found}, "\n".join([*found, "firebreak legends NAME shows one."]))
+        about = {name: next(iter(legends.read_legend(name).about), "") for name in found}
+        lines = [f"{name:20} {text}" for name, text in about.items()]
+        session.finish({"legends": found, "about": about}, "\n".join([*lines, "firebreak legends NAME shows one."]))
         return
     legend = legends.read_legend(name)
     rows = [_row(entry) for entry in legend.entries]
