@@ -169,7 +169,7 @@ def burn_curve(
         curve_block(*fires.given, first, last, levels, fires.lanes(curve=True), burnt)
 
     fuel = network.burnable.ravel()
-    fires.run(one_by_one, together, lambda: (fuel, burnt[:_PILOT, 0]), threads=threads, progress=progress)
+    fires.run(one_by_one, together, lambda: (fuel, burnt[:_PILOT, 0]), threads=threads, progress=progress, curve=True)
     return xr.DataArray(
         burnt,
         dims=("run", "budget"),
@@ -238,6 +238,7 @@ class _Fires:
         *,
         threads: int | None,
         progress: Progress | None,
+        curve: bool = False,
     ) -> None:
         """Make all runs; `pilot` tells, after the first ones, in which cells and how much has burnt."""
         from firebreak_gis.kernels.lanes import LANES, block_pays
@@ -249,7 +250,7 @@ class _Fires:
         one_by_one(0, done)
         share = -(-(self.n_runs - done) // n_threads)
         work, size = one_by_one, min(_PIECE, share)
-        if together is not None and share > _PILOT and block_pays(*pilot(), min(LANES, share)):
+        if together is not None and share > _PILOT and block_pays(*pilot(), min(LANES, share), curve=curve):
             work, size = together, min(LANES, share)
         pieces = [(first, min(first + size, self.n_runs)) for first in range(done, self.n_runs, max(size, 1))]
         run_pieces(lambda piece: work(*piece), pieces, threads=threads, progress=report, message="burning")

@@ -1,9 +1,9 @@
 """Shortest paths on the implicit grid: the search that betweenness and closeness share.
 
-The length of an edge is 1/p, rounded to a multiple of 2**-24 (at most 3e-8 of it) and capped at 2**40; an edge
-with p = 0 does not exist. Distances are kept in units of 2**-24 as float64, so sums up to 2**29 are exact in
-any order: two routes made of the same lengths tie exactly, whatever the order of their edges, and a mirrored
-network has the mirrored shortest paths.
+The length of an edge is 1/p, rounded to a multiple of 2**-24 (at most 3e-8 of it) and capped at 2**32; an edge
+with p = 0 does not exist. Distances are whole numbers of that unit, so they are exact: two routes made of the same
+lengths tie, whatever the order of their edges, and a mirrored network has the mirrored shortest paths. A route
+longer than 2**38 does not count as one.
 
 No length is below 1. With buckets as wide as the largest power of two that no length falls below, a cell in the
 first filled bucket cannot be improved by another cell of that bucket: the bucket is settled in any order, and no
@@ -25,10 +25,9 @@ from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
 
 #: Unit of lengths and distances.
 UNIT = 2.0**-24
-#: Distance, in units, of a cell that is not reached, and length of an edge that does not exist.
-UNREACHED = 2.0**80
-_ABSENT = 2.0**81
-_LONGEST = 2.0**64
+#: Distance, in units, of a cell that is not reached.
+UNREACHED = np.uint64(1 << 62)
+_LONGEST = 2.0**56
 #: Most buckets in the ring.
 _RING = 1 << 12
 #: Path counts are kept below this; the excess goes to an exponent.
@@ -46,7 +45,10 @@ class Lattice:
     Parameters
     ----------
     lengths
-        (rim cells, 8) float64: length of the edge to the neighbour in each direction, in units; 64 B a cell.
+        (rim cells, 8): length of the edge to the neighbour in each direction, in units. uint32 (32 B a cell) if all
+        are below 256, else uint64.
+    absent
+        Stands in `lengths` for an edge that does not exist.
     offset
         (8,) uint64: step to the neighbour in the flat grid, modulo 2**64.
     home
@@ -55,18 +57,19 @@ class Lattice:
         (burnable cells,) uint32: flat index of every burnable cell in row-major order.
     shape
         (rows, cols) without the rim.
-    scale
-        1 / width of a bucket.
+    shift
+        Distances with the same bits above this one share a bucket.
     ring
         Buckets in the ring, a power of two.
     """
 
     lengths: np.ndarray
+    absent: np.uint64
     offset: np.ndarray
     home: np.ndarray
     cells: np.ndarray
     shape: tuple[int, int]
-    scale: float
+    shift: np.uint64
     ring: int
 
 
@@ -104,8 +107,13 @@ def lattice(
         for array in (*planes, number):
             array[0], array[-1] = array[-2], array[1]
             array[:, 0], array[:, -1] = array[:, -2], array[:, 1]
-    lengths = np.full(((rows + 2), width, 8), _ABSENT)
-    shortest, longest = np.inf, 0.0
+    some = probability[probability > 0]
+    if some.size == 0:
+        some = np.ones(1, dtype=np.float32)
+    shortest, longest = (float(edge_lengths(p)) / UNIT for p in (some.max(), some.min()))
+    kind = np.uint32 if longest < 2.0**32 - 1 else np.uint64
+    absent = np.iinfo(kind).max
+    lengths = np.full((rows + 2, width, 8), absent, dtype=kind)
     for d in range(8):
         r, c = ROW_STEP[d], COL_STEP[d]
         if transpose:  # the edge from the neighbour to the cell
@@ -113,58 +121,62 @@ def lattice(
         else:
             source = planes[d, 1:-1, 1:-1]
         exists = source > 0
-        units = edge_lengths(source[exists]) / UNIT
-        lengths[1:-1, 1:-1, d][exists] = units
-        if units.size:
-            shortest, longest = min(shortest, float(units.min())), max(longest, float(units.max()))
-    bucket = 2.0 ** np.floor(np.log2(shortest)) if np.isfinite(shortest) else 1.0
-    reach = min(longest / bucket + 3.0, float(_RING))
+        lengths[1:-1, 1:-1, d][exists] = edge_lengths(source[exists]) / UNIT
+    shift = int(shortest).bit_length() - 1
+    reach = min(int(longest) >> shift, _RING) + 3
     return Lattice(
         lengths=lengths.reshape(-1, 8),
+        absent=np.uint64(absent),
         offset=np.array([r * width + c for r, c in zip(ROW_STEP, COL_STEP, strict=True)], dtype=np.int64).view(
             np.uint64
         ),
         home=number.ravel() if boundary == "periodic" else np.empty(0, dtype=np.uint32),
         cells=number[1:-1, 1:-1][np.asarray(burnable)],
         shape=(rows, cols),
-        scale=float(1.0 / bucket),
-        ring=1 << int(np.ceil(np.log2(reach))),
+        shift=np.uint64(shift),
+        ring=min(1 << reach.bit_length(), _RING),
     )
 
 
 class Workspace:
-    """What one thread needs for its searches, about 50 B a cell.
+    """What one thread needs for its searches, about 45 B a cell.
 
     Parameters
     ----------
     network
         The lattice to be searched.
+
+    Attributes
+    ----------
+    labels
+        Arrays of `search`, in the order of its parameters.
+    counts
+        Arrays for counting paths: `paths`, `exponent`, `dependency`.
     """
 
     def __init__(self, network: Lattice) -> None:
         n_cells = network.lengths.shape[0]
-        self.distance = np.full(n_cells, UNREACHED)
-        self.paths = np.empty(n_cells)
-        self.exponent = np.zeros(n_cells, dtype=np.int16)
-        self.dependency = np.empty(n_cells)
-        self.came_from = np.empty(n_cells, dtype=np.uint8)
-        self.order = np.empty(n_cells, dtype=np.uint32)
-        self.head = np.full(network.ring, _NONE, dtype=np.uint32)
-        # A cell is put into a bucket at most once an edge; untouched pages cost nothing.
-        self.entry = np.empty((8 * n_cells + 1, 2), dtype=np.uint32)
+        self.labels = (
+            np.full(n_cells, UNREACHED, dtype=np.uint64),
+            np.empty(n_cells, dtype=np.uint8),
+            np.empty(n_cells, dtype=np.uint32),
+            np.full(network.ring, _NONE, dtype=np.uint32),
+            # A cell is put into a bucket at most once an edge; untouched pages cost nothing.
+            np.empty((8 * n_cells + 1, 2), dtype=np.uint32),
+        )
+        self.counts = (np.empty(n_cells), np.zeros(n_cells, dtype=np.int16), np.zeros(n_cells))
 
 
 @kernel
 def search(
-    source: np.uint64, lengths: np.ndarray, offset: np.ndarray, home: np.ndarray, scale: float, distance: np.ndarray,
-    paths: np.ndarray, exponent: np.ndarray, came_from: np.ndarray, order: np.ndarray, head: np.ndarray,
-    entry: np.ndarray, counting: bool,
-) -> int:  # fmt: skip
-    """Settle all cells that `source` reaches; returns their number.
+    source: np.uint64, lengths: np.ndarray, absent: np.uint64, offset: np.ndarray, home: np.ndarray, shift: np.uint64,
+    distance: np.ndarray, came_from: np.ndarray, order: np.ndarray, head: np.ndarray, entry: np.ndarray,
+) -> tuple[int, bool]:  # fmt: skip
+    """Settle all cells that `source` reaches.
 
-    `distance` must be `UNREACHED` everywhere and `head` empty (it is left empty). Fills `order` (cells by
-    bucket), `distance`, and, if `counting`, `paths` * 2**(512 * `exponent`) (number of shortest paths) and
-    `came_from` (bit d: a shortest path arrives by an edge of direction d).
+    `distance` must be `UNREACHED` everywhere and `head` empty (it is left empty). Fills `order` (cells by bucket),
+    `distance` and `came_from` (bit d: a shortest path arrives by an edge of direction d). Returns the number of
+    cells, and whether any cell is reached by more than one shortest path (or may be).
     """
     ring = np.uint64(head.size)
     mask, half = ring - _ONE, ring >> _ONE
@@ -174,9 +186,9 @@ def search(
     current, horizon = _ZERO, ring
     count = _ZERO
 
-    distance[source] = 0.0
-    paths[source] = 1.0
-    exponent[source] = 0
+    tied = False
+
+    distance[source] = _ZERO
     came_from[source] = 0
     entry[0, 0], entry[0, 1] = np.uint32(source), _NONE
     used = np.uint32(1)
@@ -192,7 +204,7 @@ def search(
             kept = _NONE
             while far != _NONE:
                 follow = entry[far, 1]
-                bucket = np.uint64(np.int64(distance[entry[far, 0]] * scale))
+                bucket = distance[entry[far, 0]] >> shift
                 if bucket < horizon:  # improved since then: it stands in the ring already
                     entry[far, 1] = free
                     free = far
@@ -208,7 +220,7 @@ def search(
             horizon = current + ring
             while kept != _NONE:
                 follow = entry[kept, 1]
-                bucket = np.uint64(np.int64(distance[entry[kept, 0]] * scale))
+                bucket = distance[entry[kept, 0]] >> shift
                 if bucket < horizon:
                     entry[kept, 1] = head[bucket & mask]
                     head[bucket & mask] = kept
@@ -227,29 +239,24 @@ def search(
             e = follow
             near -= 1
             d_cell = distance[cell]
-            if np.uint64(np.int64(d_cell * scale)) != current:
+            if d_cell >> shift != current:
                 continue
             order[count] = np.uint32(cell)
             count += _ONE
-            n_paths = paths[cell]
-            if counting and n_paths >= _FULL:
-                n_paths /= _FULL
-                paths[cell] = n_paths
-                exponent[cell] += 1
             for d in range(8):
+                step = np.uint64(lengths[cell, np.uint64(d)])
                 target = cell + offset[np.uint64(d)]
                 if periodic:
                     target = np.uint64(home[target])
-                reach = d_cell + lengths[cell, np.uint64(d)]
+                reach = d_cell + step
                 old = distance[target]
+                if reach > old or step == absent:  # in this order: most edges lead back
+                    continue
                 if reach < old:
                     distance[target] = reach
-                    if counting:
-                        paths[target] = n_paths
-                        exponent[target] = exponent[cell]
-                        came_from[target] = np.uint8(1 << d)
-                    bucket = np.uint64(np.int64(reach * scale))
-                    before = np.uint64(np.int64(old * scale))
+                    came_from[target] = np.uint8(1 << d)
+                    bucket = reach >> shift
+                    before = old >> shift
                     waits = before >= horizon and old < UNREACHED
                     if bucket != before and not (waits and bucket >= horizon):
                         slot = free
@@ -266,32 +273,55 @@ def search(
                         else:
                             entry[slot, 1] = far
                             far = slot
-                elif counting and reach == old:
+                else:
                     came_from[target] |= np.uint8(1 << d)
-                    ahead = exponent[cell] - exponent[target]
-                    if ahead == 0:
-                        paths[target] += n_paths
-                    elif ahead > 0:
-                        paths[target] = n_paths + (paths[target] / _FULL if ahead == 1 else 0.0)
-                        exponent[target] = exponent[cell]
-                    elif ahead == -1:
-                        paths[target] += n_paths / _FULL
+                    tied = True
         current += _ONE
-    return count
+    return np.int64(count), tied
+
+
+@kernel
+def count_paths(
+    count: int, offset: np.ndarray, home: np.ndarray, paths: np.ndarray, exponent: np.ndarray,
+    came_from: np.ndarray, order: np.ndarray,
+) -> None:  # fmt: skip
+    """Number of shortest paths from the last source to every cell: `paths` * 2**(512 * `exponent`)."""
+    periodic = home.size > 0
+    paths[order[0]], exponent[order[0]] = 1.0, 0
+    for i in range(1, count):
+        cell = np.uint64(order[i])
+        total, power = 0.0, np.int16(0)
+        bits = came_from[cell]
+        while bits != 0:
+            before = cell - offset[_LOWEST[bits]]
+            if periodic:
+                before = np.uint64(home[before])
+            ahead = exponent[before] - power
+            if ahead == 0:
+                total += paths[before]
+            elif ahead > 0:
+                total = paths[before] + (total / _FULL if ahead == 1 else 0.0)
+                power = exponent[before]
+            elif ahead == -1:
+                total += paths[before] / _FULL
+            bits &= bits - np.uint8(1)
+        if total >= _FULL:
+            total /= _FULL
+            power += np.int16(1)
+        paths[cell], exponent[cell] = total, power
 
 
 @kernel
 def add_dependencies(
-    count: np.uint64, offset: np.ndarray, home: np.ndarray, paths: np.ndarray, exponent: np.ndarray,
+    count: int, offset: np.ndarray, home: np.ndarray, paths: np.ndarray, exponent: np.ndarray,
     came_from: np.ndarray, order: np.ndarray, dependency: np.ndarray, total: np.ndarray,
 ) -> None:  # fmt: skip
     """Add to `total`, for every cell, the share of shortest paths from the last source that pass through it."""
     periodic = home.size > 0
-    for i in range(count):
-        dependency[order[i]] = 0.0
-    for i in range(count - _ONE):
-        cell = np.uint64(order[count - _ONE - np.uint64(i)])
+    for i in range(count - 1, 0, -1):
+        cell = np.uint64(order[i])
         passing = dependency[cell]
+        dependency[cell] = 0.0
         total[cell] += passing
         per_path = (1.0 + passing) / paths[cell]
         bits = came_from[cell]
@@ -305,40 +335,62 @@ def add_dependencies(
                 n_paths = n_paths / _FULL if behind == 1 else 0.0
             dependency[before] += n_paths * per_path
             bits &= bits - np.uint8(1)
+    dependency[order[0]] = 0.0
+
+
+@kernel
+def add_tree_dependencies(
+    count: int, offset: np.ndarray, home: np.ndarray, came_from: np.ndarray, order: np.ndarray,
+    dependency: np.ndarray, total: np.ndarray,
+) -> None:  # fmt: skip
+    """Do as `add_dependencies` where every cell is reached by one shortest path."""
+    periodic = home.size > 0
+    for i in range(count - 1, 0, -1):
+        cell = np.uint64(order[i])
+        passing = dependency[cell]
+        dependency[cell] = 0.0
+        total[cell] += passing
+        before = cell - offset[_LOWEST[came_from[cell]]]
+        if periodic:
+            before = np.uint64(home[before])
+        dependency[before] += 1.0 + passing
+    dependency[order[0]] = 0.0
 
 
 @kernel
 def betweenness_batch(
-    sources: np.ndarray, lengths: np.ndarray, offset: np.ndarray, home: np.ndarray, scale: float,
-    distance: np.ndarray, paths: np.ndarray, exponent: np.ndarray, came_from: np.ndarray, order: np.ndarray,
-    head: np.ndarray, entry: np.ndarray, dependency: np.ndarray, total: np.ndarray,
+    sources: np.ndarray, lengths: np.ndarray, absent: np.uint64, offset: np.ndarray, home: np.ndarray,
+    shift: np.uint64, distance: np.ndarray, came_from: np.ndarray, order: np.ndarray, head: np.ndarray,
+    entry: np.ndarray, paths: np.ndarray, exponent: np.ndarray, dependency: np.ndarray, total: np.ndarray,
 ) -> None:  # fmt: skip
-    """Write to `total`, for every cell, the dependencies of all `sources` on it."""
+    """Write to `total`, for every cell, the dependencies of all `sources` on it; `dependency` is 0 before and after."""
     total[:] = 0.0
     for source in sources:
         distance[:] = UNREACHED
-        count = search(
-            np.uint64(source), lengths, offset, home, scale, distance, paths, exponent, came_from, order, head, entry,
-            True,
-        )  # fmt: skip
-        add_dependencies(count, offset, home, paths, exponent, came_from, order, dependency, total)
+        count, tied = search(
+            np.uint64(source), lengths, absent, offset, home, shift, distance, came_from, order, head, entry
+        )
+        if tied:
+            count_paths(count, offset, home, paths, exponent, came_from, order)
+            add_dependencies(count, offset, home, paths, exponent, came_from, order, dependency, total)
+        else:
+            add_tree_dependencies(count, offset, home, came_from, order, dependency, total)
 
 
 @kernel
 def distance_batch(
-    sources: np.ndarray, lengths: np.ndarray, offset: np.ndarray, home: np.ndarray, scale: float,
-    distance: np.ndarray, paths: np.ndarray, exponent: np.ndarray, came_from: np.ndarray, order: np.ndarray,
-    head: np.ndarray, entry: np.ndarray, sums: np.ndarray, reached: np.ndarray,
+    sources: np.ndarray, lengths: np.ndarray, absent: np.uint64, offset: np.ndarray, home: np.ndarray,
+    shift: np.uint64, distance: np.ndarray, came_from: np.ndarray, order: np.ndarray, head: np.ndarray,
+    entry: np.ndarray, sums: np.ndarray, reached: np.ndarray,
 ) -> None:  # fmt: skip
     """Write, for every source, the sum of distances (units) to the cells that it reaches, and their number."""
     for k in range(sources.size):
         distance[:] = UNREACHED
-        count = search(
-            np.uint64(sources[k]), lengths, offset, home, scale, distance, paths, exponent, came_from, order, head,
-            entry, False,
-        )  # fmt: skip
+        count, _ = search(
+            np.uint64(sources[k]), lengths, absent, offset, home, shift, distance, came_from, order, head, entry
+        )
         total = 0.0
         for i in range(count):
-            total += distance[order[i]]
+            total += np.float64(distance[order[i]])
         sums[k] = total
-        reached[k] = count - _ONE
+        reached[k] = count - 1

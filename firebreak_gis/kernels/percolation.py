@@ -23,10 +23,12 @@ import numpy as np
 
 from firebreak_gis.kernels.draws import Thresholds, open_edges
 from firebreak_gis.kernels.policy import kernel
+from firebreak_gis.kernels.prefetch import AHEAD, prefetch
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
+_AHEAD = np.uint64(AHEAD)
 
 
 class Steps(NamedTuple):
@@ -83,7 +85,7 @@ def burn_runs(
     value: np.ndarray,
     lost: np.ndarray,
 ) -> None:
-    """Burn runs `first` .. `last - 1` one after another.
+    """Burn runs `first` .. `last - 1` one after another. Memory: 5 bytes a cell.
 
     Parameters
     ----------
@@ -100,6 +102,7 @@ def burn_runs(
     stamp = np.zeros(n_cells, np.uint8)
     queue = np.empty(n_cells + 1, np.uint32)
     periodic = steps.position.size > 0
+    below = steps.offsets[0, 4]
     mark = np.uint8(0)
     for run in range(first, last):
         if mark == np.uint8(255):
@@ -116,6 +119,11 @@ def burn_runs(
         head = _ZERO
         while head < tail:
             cell = np.uint64(queue[head])
+            coming = np.uint64(queue[min(head + _AHEAD, tail)])
+            prefetch(thresholds.top, coming)
+            prefetch(counts, coming)
+            prefetch(stamp, coming - below)
+            prefetch(stamp, coming + below)
             head += _ONE
             counts[cell] += np.uint32(1)
             opened = open_edges(key, cell, thresholds.top[cell], thresholds.rest)
@@ -153,7 +161,7 @@ def burn_curve(
 
     A cell of level q is still there at cut levels 0 .. q. The largest cut level at which a cell burns is the
     widest path to it over open edges; cells are settled from the highest level down, and each is final when
-    first touched.
+    first touched. Memory: 12 bytes a cell.
 
     Parameters
     ----------
@@ -165,41 +173,56 @@ def burn_curve(
     n_cells = thresholds.top.shape[0]
     n_levels = burnt_at.shape[1]
     periodic = steps.position.size > 0
+    below = steps.offsets[0, 4]
     nobody = np.uint32(0xFFFFFFFF)
-    stamp = np.zeros(n_cells, np.uint8)
-    below = np.empty(n_cells, np.uint32)  # next cell of the same bucket
-    bucket = np.full(n_levels, nobody, np.uint32)
-    mark = np.uint8(0)
+    # Level + 1 while the cell has not caught fire, else 0.
+    standing = (levels + 1).astype(np.uint32)
+    queue = np.empty(n_cells + 1, np.uint32)
+    later = np.empty(n_cells, np.uint32)  # next cell that waits for the same level
+    waiting = np.full(n_levels + 1, nobody, np.uint32)
     for run in range(first, last):
-        if mark == np.uint8(255):
-            stamp[:] = np.uint8(0)
-            mark = np.uint8(0)
-        mark = np.uint8(mark + np.uint8(1))
+        key = keys[run]
         for i in range(starts[run], starts[run + 1]):
             if cells[i] >= 0:
                 cell = np.uint64(cells[i])
-                if levels[cell] >= 0 and stamp[cell] != mark:
-                    stamp[cell] = mark
-                    settled = np.uint64(levels[cell])
-                    below[cell] = bucket[settled]
-                    bucket[settled] = np.uint32(cell)
-        total = 0
+                level = np.uint64(standing[cell])
+                if level > _ZERO:
+                    standing[cell] = np.uint32(0)
+                    later[cell] = waiting[level]
+                    waiting[level] = np.uint32(cell)
+        head = _ZERO
+        tail = _ZERO
         for step in range(n_levels):
-            level = np.uint64(n_levels - 1 - step)
-            while bucket[level] != nobody:
-                cell = np.uint64(bucket[level])
-                bucket[level] = below[cell]
-                total += 1
-                opened = open_edges(keys[run], cell, thresholds.top[cell], thresholds.rest)
+            here = np.uint64(n_levels - step)
+            while waiting[here] != nobody:
+                cell = np.uint64(waiting[here])
+                waiting[here] = later[cell]
+                queue[tail] = np.uint32(cell)
+                tail += _ONE
+            while head < tail:
+                cell = np.uint64(queue[head])
+                coming = np.uint64(queue[min(head + _AHEAD, tail)])
+                prefetch(thresholds.top, coming)
+                prefetch(standing, coming - below)
+                prefetch(standing, coming)
+                prefetch(standing, coming + below)
+                prefetch(later, coming)
+                head += _ONE
+                opened = open_edges(key, cell, thresholds.top[cell], thresholds.rest)
                 position = np.uint8(0)
                 if periodic:
                     position = steps.position[cell]
                 for d in range(8):
                     is_open = (opened >> np.uint64(8 * d + 7)) & _ONE
                     target = cell + steps.offsets[position, d] * is_open
-                    if stamp[target] != mark and levels[target] >= 0:
-                        stamp[target] = mark
-                        settled = min(level, np.uint64(levels[target]))
-                        below[target] = bucket[settled]
-                        bucket[settled] = np.uint32(target)
-            burnt_at[run, level] = total
+                    level = np.uint64(standing[target])
+                    standing[target] = np.uint32(0)
+                    queue[tail] = np.uint32(target)
+                    tail += np.uint64(level >= here)
+                    if (level < here) & (level > _ZERO):
+                        later[target] = waiting[level]
+                        waiting[level] = np.uint32(target)
+            burnt_at[run, here - _ONE] = tail
+        for i in range(tail):
+            cell = np.uint64(queue[np.uint64(i)])
+            standing[cell] = np.uint32(levels[cell] + 1)

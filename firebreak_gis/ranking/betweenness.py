@@ -10,7 +10,7 @@ equally, however many there are. Pairs without a route count nothing; cells on n
 Exact up to 20,000 burnable cells. Beyond, sources are sampled until, with probability 1 - delta, the error of every
 cell is at most epsilon of the n (n - 1) ordered pairs; the draws belong to cells of the grid, so the estimate of a
 mirrored network is not the mirrored estimate. Cost: a search a source, about 35 ns a cell on small grids and 90 ns
-on 10^6 cells; memory 64 B a cell and about 60 B a cell and thread.
+on 10^6 cells; memory 32 B a cell (64 B if any p is below 1/256) and about 60 B a cell and thread.
 Source: Freeman 1977, doi 10.2307/3033543; Brandes 2001, doi 10.1080/0022250X.2001.9990249; Russo, Russo, Siettos
 2016, doi 10.1371/journal.pone.0163226.
 """

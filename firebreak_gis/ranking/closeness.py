@@ -5,7 +5,7 @@ every cell has one this ranks as 1 / (sum of distances). The first factor keeps 
 short, from coming first (Wasserman, Faust 1994, p. 200). A cell with no route has 0. An edge l -> k is
 1 / p(l -> k) long. `in` takes routes to the cell (how soon fire arrives), `out` routes from it.
 
-Cost: a search a burnable cell, about 35 ns a cell each, so it grows with the square of the cells; memory 64 B a cell
+Cost: a search a burnable cell, about 35 ns a cell each, so it grows with the square of the cells; memory 32 B a cell
 and about 60 B a cell and thread.
 Source: Freeman 1978, doi 10.1016/0378-8733(78)90021-7; Russo, Russo, Siettos 2016,
 doi 10.1371/journal.pone.0163226.
