@@ -32,6 +32,8 @@ _LARGE = 20_000
 _BATCH = 20_000
 #: Largest sum of whole-number costs, so that no flow overflows.
 _COST_RANGE = 2**29
+#: What a mean cell costs more for its leak; on Rhodes at 40 m this burns 3 to 4 % less, 1 as much, 3 more.
+_LEAK_WEIGHT = 0.3
 
 
 @dataclass(frozen=True)
@@ -118,14 +120,27 @@ def links(network: SpreadNetwork) -> np.ndarray:
     return out
 
 
-def capacities(network: SpreadNetwork, setting: Setting, width: int = 1) -> np.ndarray:
+def _lit(network: SpreadNetwork) -> np.ndarray:
+    """Mean probability with which a cell is lit by its neighbours that hold fuel, (rows, cols) float64."""
+    total, count = np.zeros(network.shape), np.zeros(network.shape)
+    for d in range(8):
+        total += neighbour(network.probability[OPPOSITE[d]], d, network.boundary)
+        count += neighbour(network.burnable, d, network.boundary)
+    return total / np.maximum(count, 1.0)
+
+
+def capacities(network: SpreadNetwork, setting: Setting, width: int = 1, *, leaky: bool = False) -> np.ndarray:
     """Whole-number cutting costs for the flow, (rows, cols) int32; `UNCUTTABLE` where protected.
 
-    With a width they are the cost of the cell and its share of the wall around it.
+    With a width they are the cost of the cell and its share of the wall around it. Where breaks leak, they grow with
+    the chance that a fire takes `width` steps into cells like this one.
 
     Equal costs become 1; others keep the resolution that the sum of all allows, at most a thousandth of the median.
     """
     own = np.where(setting.protected, 0.0, setting.cost)
+    if leaky:
+        passed = _lit(network) ** width
+        own = own * (1.0 + _LEAK_WEIGHT * passed / max(float(passed[network.burnable].mean()), 1e-300))
     cost = np.where(network.burnable & ~setting.protected, wall_cost(own, width, network.boundary), 0.0)
     positive = cost[cost > 0]
     scale = 1.0
@@ -143,6 +158,7 @@ def dissect(
     setting: Setting,
     *,
     width: int = 1,
+    leaky: bool = False,
     directions: int = 8,
     shares: Sequence[float] = (0.2, 0.25, 0.3, 0.35, 0.4, 0.45),
     smallest: int = 16,
@@ -157,6 +173,8 @@ def dissect(
         What is planned for. Protected cells are in no wall; cells without fuel cost nothing.
     width
         Cells across a wall, see `widening`; the walls returned are lines one cell wide.
+    leaky
+        Whether treated cells still burn; walls then keep to fuel that is hard to light.
     directions
         Directions searched for each wall, evenly spaced over half a turn.
     shares
@@ -179,7 +197,8 @@ def dissect(
     """
     ignition, value = setting.ignition.ravel(), setting.value.ravel()
     patches = _Patches(
-        network.shape, links(network).ravel(), capacities(network, setting, width).ravel(), setting.cost.ravel(),
+        network.shape, links(network).ravel(), capacities(network, setting, width, leaky=leaky).ravel(),
+        setting.cost.ravel(),
         ignition / max(ignition.sum(), 1e-300), value / max(value.sum(), 1e-300), directions, np.asarray(shares),
         network.boundary == "periodic",
     )  # fmt: skip

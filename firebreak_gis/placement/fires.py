@@ -12,6 +12,8 @@ from firebreak_gis.kernels.percolation import Steps, burn_runs, steps
 from firebreak_gis.workers import run_pieces
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
     from firebreak_gis.setting import Setting
@@ -20,6 +22,8 @@ if TYPE_CHECKING:
 PIECES = 8
 #: Added to the seed, so that the fires of a design differ from those of a simulation with the same seed.
 _DESIGN = 104_729
+#: Cells times runs that are burnt without threads.
+_SMALL = 200_000
 
 
 @dataclass(frozen=True)
@@ -64,6 +68,19 @@ def pieces(n_runs: int) -> list[tuple[int, int]]:
     """First run and end of each piece."""
     edges = np.linspace(0, n_runs, min(PIECES, n_runs) + 1).astype(int)
     return list(zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True))
+
+
+def burn_pieces(
+    work: Callable[[int], None], n_runs: int, n_cells: int, *, threads: int | None, progress: Progress
+) -> None:
+    """Call ``work(i)`` for every piece of the runs; small work is not worth threads."""
+    count = len(pieces(n_runs))
+    if n_runs * n_cells > _SMALL:
+        run_pieces(work, range(count), threads=threads, progress=progress, message="burning")
+        return
+    for i in range(count):
+        work(i)
+    progress(1.0, "burning")
 
 
 def losses(

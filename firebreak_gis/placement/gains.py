@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.placement.fires import Fires, design_fires, pieces
+from firebreak_gis.placement.fires import Fires, burn_pieces, design_fires, pieces
 from firebreak_gis.progress import part
-from firebreak_gis.workers import run_pieces
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
@@ -48,7 +47,7 @@ def mean_gain(
             fires.limits, fires.keys, fires.grid_steps, fires.cells, alive, value, *parts[i], sums[i]
         )
 
-    run_pieces(work, range(len(parts)), threads=threads, progress=progress, message="burning")
+    burn_pieces(work, fires.keys.size, alive.size, threads=threads, progress=progress)
     return sums.sum(axis=0) / fires.keys.size, float(lost.sum()) / fires.keys.size
 
 
