@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from firebreak_gis.cli import kinds, options, stakes
+from firebreak_gis.cli.layers import recorded
 from firebreak_gis.cli.session import Session
 
 #: What the command writes into its folder.
@@ -97,13 +98,11 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     figure = comparison_figure(rows, n_burnable=spread.n_burnable, cell_area_ha=spread.grid.cell_area_ha)
     for name in files[1:]:
         save(figure, name, overwrite=given["overwrite"])
-    parameters = {"network": network, "method_list": method_list, **given}
-    kept = {k: v for k, v in parameters.items() if v is not None and k not in ("overwrite", "creation_options")}
     files.append(
         write_manifest(
             target / "run.json",
             command="compare",
-            parameters=kept,
+            parameters=recorded({"network": network, "method_list": method_list, **given}),
             inputs=_existing(inputs),
             outputs=files,
             account={"n_burnable": spread.n_burnable},

@@ -47,6 +47,8 @@ def _command(name: str, found: click.Command | None) -> dict[str, Any]:
         "parameters": [_parameter(p) for p in found.params],
         "outputs": outputs,
     }
+    if isinstance(found, click.Group):
+        entry["commands"] = {word: _command(name, inner) for word, inner in sorted(found.commands.items())}
     return {key: value for key, value in entry.items() if value}
 
 

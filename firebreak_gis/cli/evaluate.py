@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli.layers import recorded
 from firebreak_gis.cli.session import Session
 
 #: What the command writes into its folder.
@@ -102,9 +103,6 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     figure = curve_figure(result)
     for name in files[1:]:
         save(figure, name, overwrite=given["overwrite"])
-    parameters = {"network": network, "method_list": method_list, **given}
-    for key in ("overwrite", "creation_options"):
-        parameters.pop(key)
     better = {label: better_range(result, label) for label in priorities if label != given["baseline"]}
     files.append(
         write_manifest(
@@ -112,7 +110,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
             command="evaluate",
             inputs=inputs,
             outputs=files,
-            parameters={k: v for k, v in parameters.items() if v is not None},
+            parameters=recorded({"network": network, "method_list": method_list, **given}),
             account={"n_burnable": spread.n_burnable, "significant_d_f": better},
             overwrite=given["overwrite"],
         )

@@ -12,6 +12,7 @@ from qgis.PyQt.QtCore import QCoreApplication
 from .manifest import Description, Field
 
 _PICTURES = Path(__file__).with_name("pictures")
+_PICTURE_WIDTH = 220  # of the narrow help panel
 _FILTERS = {".csv": "CSV", ".png": "PNG", ".svg": "SVG", ".html": "HTML", ".json": "JSON"}
 
 
@@ -36,10 +37,11 @@ def file_filter(file: str) -> str:
 
 def help_page(description: Description) -> str:
     """Return the help of an algorithm as HTML: what it does, a picture, its parameters and methods."""
-    parts = [f"<p>{escape(translated(text))}</p>" for text in description.text.split("\n\n")]
+    paragraphs = (" ".join(text.split()) for text in description.text.split("\n\n"))
+    parts = [f"<p>{escape(translated(text))}</p>" for text in paragraphs]
     picture = _PICTURES / f"{description.form.name}.png"
     if picture.is_file():
-        parts.append(f'<p><img src="{picture.as_uri()}"></p>')
+        parts.append(f'<p><img src="{picture.as_uri()}" width="{_PICTURE_WIDTH}"></p>')
     heading = QCoreApplication.translate("Firebreak", "Parameters")
     parts.append(f"<h3>{escape(heading)}</h3>")
     parts += [_entry(field) for field in description.fields if field.help and not field.method]
@@ -49,7 +51,7 @@ def help_page(description: Description) -> str:
     if description.outputs:
         parts.append(f"<h3>{escape(QCoreApplication.translate('Firebreak', 'Outputs'))}</h3>")
         parts += [f"<p><b>{output.name}</b>: {escape(translated(output.label))}</p>" for output in description.outputs]
-    return "\n".join(parts)
+    return "".join(parts)  # QGIS shows every line break
 
 
 def _entry(field: Field) -> str:

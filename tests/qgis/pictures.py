@@ -40,7 +40,7 @@ def main() -> None:
         data = shutil.copytree(ROOT / "sample_data", folder / "data")
         layers = [data / f"{layer}.tif" for layer in ("dem", "vegetation", "density")]
         network, fires = folder / "network.tif", ("--runs", "100")
-        firebreak("plan", "-o", folder / "plan", *layers)
+        firebreak("plan", "--budget", "0.02", "-o", folder / "plan", *layers)
         firebreak("align", "-o", folder / "landscape", *layers)
         firebreak("network", "-o", network, folder / "landscape")
         firebreak("rank", "--method", "bonacich", "-o", folder / "priority.tif", network)
