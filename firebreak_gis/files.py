@@ -1,27 +1,124 @@
 """Putting files in place: absent, old, or whole and verified; never half.
 
 Every writer of the package goes through `replacing`: the content is made under a temporary name in
-the folder of the target, checked, flushed to the disk and moved over the target in one step.
+the folder of the target, checked, flushed to the disk and moved over the target in one step. Inside
+`together` the files of a folder wait for each other and are moved when the last one is ready.
 """
 
 from __future__ import annotations
 
 import contextlib
-import errno
 import hashlib
 import itertools
 import os
-import sys
+import shutil
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
+from contextvars import ContextVar
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from firebreak_gis.errors import FirebreakError, InputError, OutputError
-
-#: Names of temporary and lock files begin with this; a stranger's file is never touched.
-PREFIX = ".firebreak-"
+from firebreak_gis.errors import FirebreakError, InputError, OutputError, VerificationError
+from firebreak_gis.locks import PREFIX, claimed, key_of, locked, reason, remove_parts, remove_stale
+from firebreak_gis.moving import move_all
 
 _serial = itertools.count()
+
+
+@dataclass
+class _Batch:
+    """Files of one folder that are finished but not yet in place."""
+
+    folder: Path
+    locks: contextlib.ExitStack
+    parts: dict[Path, Path] = field(default_factory=dict)
+    removals: list[Path] = field(default_factory=list)
+    replaceable: set[Path] = field(default_factory=set)
+
+    def taken(self, place: Path) -> bool:
+        """Whether a file stands, or will stand, at `place`."""
+        return place in self.parts or (place.exists() and place not in self.removals)
+
+    def commit(self) -> None:
+        """Move everything into place."""
+        for place in self.parts:
+            if place not in self.replaceable and place.exists():
+                raise OutputError(f"the output {place} appeared while it was being made; it was left as it is")
+        move_all(self.parts, self.removals)
+
+    def drop(self) -> None:
+        """Remove what was not moved."""
+        for part in self.parts.values():
+            remove_parts(self.folder, part.name)
+
+
+_batch: ContextVar[_Batch | None] = ContextVar("_batch", default=None)
+
+
+@contextlib.contextmanager
+def together(folder: str | os.PathLike[str]) -> Iterator[Path]:
+    """Let the files that the block writes into `folder` appear together at its end, or none of them.
+
+    Where a file cannot be written, or the block is left by an exception, all old files stay. The file
+    written last is taken as the account of the others: it is the first of the old ones to go and the last
+    of the new ones to come. Blocks on the same folder may be nested; the outermost moves the files.
+
+    Parameters
+    ----------
+    folder
+        Made if it is missing. Files that the block writes elsewhere are moved at once.
+
+    Yields
+    ------
+    Path
+        The folder.
+
+    Raises
+    ------
+    OutputError
+        If the folder cannot be made, another run is writing into it, or the files cannot be moved.
+    """
+    place = Path(os.path.realpath(make_folder(folder)))
+    outer = _batch.get()
+    if outer is not None and outer.folder == place:
+        yield Path(folder)
+        return
+    with locked(place, _FOLDER_KEY), _collecting(place) as batch:
+        token = _batch.set(batch)
+        try:
+            yield Path(folder)
+        finally:
+            _batch.reset(token)
+
+
+@contextlib.contextmanager
+def claiming(target: str | os.PathLike[str], *, folder: bool = False) -> Iterator[None]:
+    """Keep other runs from writing the same output for as long as the block lasts.
+
+    Parameters
+    ----------
+    target
+        File or folder. A file whose folder is missing is not claimed: writing it will be refused.
+    folder
+        Whether it is a folder; it is made if missing, and removed again if it stays empty.
+
+    Raises
+    ------
+    OutputError
+        If another run holds it, or the folder cannot be made or written.
+    """
+    place = Path(os.path.realpath(target))
+    if not folder and not place.parent.is_dir():
+        yield
+        return
+    new = folder and not place.exists()
+    try:
+        with claimed(make_folder(place), _FOLDER_KEY) if folder else claimed(place.parent, key_of(place)):
+            yield
+    finally:
+        if new:
+            with contextlib.suppress(OSError):
+                place.rmdir()
 
 
 @contextlib.contextmanager
@@ -31,6 +128,7 @@ def replacing(
     overwrite: bool = False,
     verify: Callable[[Path], None] | None = None,
     forbid: Iterable[str | os.PathLike[str]] = (),
+    remove: Iterable[str | os.PathLike[str]] = (),
 ) -> Iterator[Path]:
     """Give a temporary path to write to; move it over `target` when the block ends well.
 
@@ -48,6 +146,8 @@ def replacing(
         Called with the temporary path once it is written; raises if the content is not right.
     forbid
         Inputs of the work: the target may be none of them, not even by a link.
+    remove
+        Files beside the target that belong to the old one and go with it.
 
     Yields
     ------
@@ -60,31 +160,91 @@ def replacing(
         If the target cannot or must not be written, or if writing fails.
     """
     place = require_writable(target, overwrite=overwrite, forbid=forbid)
-    with _locked(place.parent, _key(place)) as exclusive:
-        if exclusive:
-            _remove_stale(place)
-        part = place.with_name(f"{PREFIX}{_key(place)}-{os.getpid()}-{next(_serial)}.part{place.suffix}")
+    outer = _batch.get()
+    with contextlib.ExitStack() as stack:
+        batch = outer if outer is not None and outer.folder == place.parent else None
+        if batch is None:
+            batch = stack.enter_context(_collecting(place.parent))
+        if place not in batch.parts and batch.locks.enter_context(locked(place.parent, key_of(place))):
+            remove_stale(place)
+        part = place.with_name(f"{PREFIX}{key_of(place)}-{os.getpid()}-{next(_serial)}.part{place.suffix}")
         try:
             yield part
-            _finish(part, place, overwrite, verify)
+            _finish(part, place, verify)
+            earlier = batch.parts.pop(place, part)
+            batch.parts[place] = part
+            if earlier != part:
+                remove_parts(place.parent, earlier.name)
         except FirebreakError:
             raise
         except OSError as error:
-            raise OutputError(f"cannot write {place}: {_reason(error)}") from error
+            raise OutputError(f"cannot write {place}: {reason(error)}") from error
         finally:
-            _remove_parts(place.parent, part.name.partition(".part")[0])
+            if batch.parts.get(place) != part:
+                remove_parts(place.parent, part.name)
+        batch.removals.extend(Path(extra) for extra in remove)
+        if overwrite:
+            batch.replaceable.add(place)
+
+
+@contextlib.contextmanager
+def _collecting(folder: Path) -> Iterator[_Batch]:
+    """Collect finished files of a folder and move them when the block ends well."""
+    with contextlib.ExitStack() as locks:
+        batch = _Batch(folder, locks)
+        try:
+            yield batch
+            batch.commit()
+        except FirebreakError:
+            raise
+        except OSError as error:
+            names = ", ".join(place.name for place in batch.parts)
+            raise OutputError(f"cannot write {names} in {folder}: {reason(error)}") from error
+        finally:
+            batch.drop()
 
 
 def write_text(target: str | os.PathLike[str], text: str, *, overwrite: bool = False) -> None:
-    """Write UTF-8 text with Unix line ends through `replacing`.
+    """Write UTF-8 text through `replacing`; as `write_bytes`."""
+    write_bytes(target, text.encode("utf-8"), overwrite=overwrite)
+
+
+def write_bytes(target: str | os.PathLike[str], content: bytes, *, overwrite: bool = False) -> None:
+    """Write a file through `replacing`, and read it back.
 
     Raises
     ------
     OutputError
         As `replacing`.
+    VerificationError
+        If it does not read back as it was written.
     """
-    with replacing(target, overwrite=overwrite) as part:
-        part.write_text(text, encoding="utf-8", newline="\n")
+
+    def verify(part: Path) -> None:
+        if part.read_bytes() != content:
+            raise VerificationError(f"{target} does not read back as it was written; is the disk failing?")
+
+    with replacing(target, overwrite=overwrite, verify=verify) as part:
+        part.write_bytes(content)
+
+
+def remove_file(path: str | os.PathLike[str]) -> None:
+    """Remove an old output, inside `together` when the new ones come.
+
+    Raises
+    ------
+    OutputError
+        If it cannot be removed.
+    """
+    place = Path(os.path.realpath(path))
+    batch = _batch.get()
+    if batch is not None and batch.folder == place.parent:
+        batch.removals.append(place)
+        return
+    try:
+        place.unlink(missing_ok=True)
+    except OSError as error:
+        raise OutputError(f"cannot remove {place}: {reason(error)}") from error
 
 
 def require_writable(
@@ -112,20 +272,21 @@ def require_writable(
                 raise OutputError(
                     f"the output {place} is the input {source}; choose another name, inputs are never changed"
                 )
-        if place.exists():
+        batch = _batch.get()
+        if place.exists() if batch is None else batch.taken(place):
             if not overwrite:
                 raise OutputError(f"the output {place} exists; choose another name or allow overwriting (--overwrite)")
-            if not os.access(place, os.W_OK):
+            if place.exists() and not os.access(place, os.W_OK):
                 raise OutputError(
                     f"the output {place} is write-protected; remove the protection or choose another name"
                 )
         # Asking for permission flags lies on network drives and for administrators: try.
-        with tempfile.TemporaryFile(dir=place.parent, prefix=PREFIX):
+        with tempfile.TemporaryFile(dir=place.parent, prefix=f"{PREFIX}{key_of(place)}-", suffix=".part"):
             pass
     except OutputError:
         raise
     except OSError as error:
-        raise OutputError(f"cannot write {place}: {_reason(error)}") from error
+        raise OutputError(f"cannot write {place}: {reason(error)}") from error
     return place
 
 
@@ -149,143 +310,39 @@ def make_folder(folder: str | os.PathLike[str]) -> Path:
     try:
         place.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise OutputError(f"cannot make the folder {place}: {_reason(error)}") from error
+        raise OutputError(f"cannot make the folder {place}: {reason(error)}") from error
     return place
 
 
 def sha256(path: str | os.PathLike[str]) -> str:
-    """Return the SHA-256 of a file in hexadecimal.
+    """Return the SHA-256 of a file in hexadecimal; inside `together` that of the file to come.
 
     Raises
     ------
     InputError
         If the file cannot be read.
     """
+    batch = _batch.get()
+    source = Path(path) if batch is None else batch.parts.get(Path(os.path.realpath(path)), Path(path))
     try:
-        with Path(path).open("rb") as stream:
+        with source.open("rb") as stream:
             return hashlib.file_digest(stream, "sha256").hexdigest()
     except OSError as error:
-        raise InputError(f"cannot read {path}: {_reason(error)}") from error
+        raise InputError(f"cannot read {path}: {reason(error)}") from error
 
 
-def _finish(part: Path, place: Path, overwrite: bool, verify: Callable[[Path], None] | None) -> None:
+def _finish(part: Path, place: Path, verify: Callable[[Path], None] | None) -> None:
     if not part.exists():
         raise OutputError(f"nothing was written for {place}")
     if verify is not None:
         verify(part)
+    if place.exists():
+        # Who may read or write the old one may read or write the new one.
+        with contextlib.suppress(OSError):
+            shutil.copymode(place, part)
     with part.open("r+b") as stream:
         os.fsync(stream.fileno())
-    if not overwrite and place.exists():
-        raise OutputError(f"the output {place} appeared while it was being made; it was left as it is")
-    part.replace(place)
-    _flush_folder(place.parent)
 
 
-def _flush_folder(folder: Path) -> None:
-    if os.name == "nt":  # folders cannot be opened there, and renames are journalled
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    except OSError as error:
-        # Some network file systems cannot flush folders; the file itself is safe by now.
-        if error.errno not in (errno.EINVAL, errno.ENOTSUP):
-            raise
-    finally:
-        os.close(handle)
-
-
-def _key(place: Path) -> str:
-    """Short stable name of a target; short because names may be at the limit of the file system."""
-    return hashlib.sha256(place.name.casefold().encode("utf-8", "surrogateescape")).hexdigest()[:12]
-
-
-@contextlib.contextmanager
-def _locked(folder: Path, key: str) -> Iterator[bool]:
-    """Hold the lock of one target; yields False where the file system knows no locks.
-
-    The operating system frees the lock when a process dies, so it is never stale.
-    """
-    path = folder / f"{PREFIX}{key}.lock"
-    handle, exclusive = _acquire(path)
-    try:
-        yield exclusive
-    finally:
-        if os.name != "nt":
-            path.unlink(missing_ok=True)  # before the lock is given up: nobody else can hold this file
-        os.close(handle)
-        if os.name == "nt":
-            with contextlib.suppress(OSError):
-                path.unlink()
-
-
-def _acquire(path: Path) -> tuple[int, bool]:
-    """Open and lock `path`; return the handle and whether the lock holds."""
-    while True:
-        try:
-            handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
-        except OSError as error:
-            raise OutputError(f"cannot write in the folder {path.parent}: {_reason(error)}") from error
-        try:
-            _lock(handle)
-            # The holder before us may have removed the file between our opening and our locking it.
-            if os.path.samestat(os.fstat(handle), path.stat()):
-                return handle, True
-        except FileNotFoundError:
-            pass
-        except OSError as error:
-            if error.errno not in (errno.EACCES, errno.EAGAIN, errno.EDEADLK):
-                return handle, False
-            os.close(handle)
-            raise OutputError(
-                f"another run is writing the same output in {path.parent}; wait for it or choose another name"
-            ) from error
-        os.close(handle)
-
-
-def _lock(handle: int) -> None:
-    if sys.platform == "win32":
-        import msvcrt
-
-        msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
-    else:
-        import fcntl
-
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-
-
-def _remove_stale(place: Path) -> None:
-    """Remove what killed processes left in the folder: whoever holds the lock of a name owns its parts."""
-    own = _key(place)
-    _remove_parts(place.parent, PREFIX + own + "-")
-    digits = "?" * len(own)
-    keys = {
-        entry.name[len(PREFIX) : len(PREFIX) + len(own)]
-        for pattern in (f"{PREFIX}{digits}-*.part*", f"{PREFIX}{digits}.lock")
-        for entry in place.parent.glob(pattern)
-    }
-    for key in keys - {own}:
-        with contextlib.suppress(OutputError), _locked(place.parent, key) as exclusive:
-            if exclusive:
-                _remove_parts(place.parent, PREFIX + key + "-")
-
-
-def _remove_parts(folder: Path, prefix: str) -> None:
-    """Remove the temporary files with that prefix, with what drivers put beside them."""
-    with contextlib.suppress(OSError):
-        for entry in os.scandir(folder):
-            if entry.name.startswith(prefix) and ".part" in entry.name:
-                with contextlib.suppress(OSError):
-                    Path(entry.path).unlink()
-
-
-def _reason(error: OSError) -> str:
-    hints = {
-        errno.ENOSPC: "the disk is full; free some space or choose another disk",
-        errno.EDQUOT: "the disk quota is used up; free some space or choose another disk",
-        errno.EACCES: "no permission, or open in another program; close it there or choose another folder",
-        errno.EPERM: "not permitted; choose another folder",
-        errno.EROFS: "the disk is read-only; choose another folder",
-        errno.ENAMETOOLONG: "the name is too long for this file system; choose a shorter one",
-    }
-    return hints.get(error.errno or 0) or error.strerror or str(error)
+#: Key of the folder itself: no file can have this name.
+_FOLDER_KEY = key_of(Path("/"))

@@ -12,7 +12,7 @@ import numpy as np
 
 from firebreak_gis.breaks import BudgetUnit, break_polygons, cells_to_cut, removal_order, select_breaks
 from firebreak_gis.evaluation import evaluate, table
-from firebreak_gis.files import make_folder, require_writable, write_text
+from firebreak_gis.files import require_writable, together, write_text
 from firebreak_gis.ignitions import IgnitionMode, resolve_ignitions
 from firebreak_gis.landscape import write_landscape
 from firebreak_gis.manifest import provenance, write_manifest
@@ -266,7 +266,7 @@ def write_plan(
     overwrite: bool = False,
     progress: Progress | None = None,
 ) -> list[Path]:
-    """Write every file of a plan into a folder, `run.json` last.
+    """Write every file of a plan into a folder: all of them appear together, or none.
 
     Parameters
     ----------
@@ -296,14 +296,43 @@ def write_plan(
         If a file exists and `overwrite` is not set, or cannot be written; checked for all before the first is
         written.
     """
-    from firebreak_gis.report.figures import save
-    from firebreak_gis.report.overview import overview_figure
-
-    target = make_folder(folder)
-    for name in PLAN_FILES:
-        require_writable(target / name, overwrite=overwrite, forbid=inputs)
     report = part(progress, 0.0, 1.0, "write ")
-    tags = provenance(parameters or result.parameters, seed=int(result.parameters["seed"]))
+    recorded = parameters or result.parameters
+    with together(folder) as target:
+        for name in PLAN_FILES:
+            require_writable(target / name, overwrite=overwrite, forbid=inputs)
+        written = _write_layers(result, target, recorded, creation_options, overwrite, report)
+        written += _write_tables(result, target, overwrite, report)
+        account = {
+            "grid": result.network.grid.describe(),
+            "alignment": result.landscape.attrs.get("alignment", []),
+            "warnings": result.landscape.attrs.get("warnings", []),
+            "summary": result.summary,
+        }
+        written.append(
+            write_manifest(
+                target / "run.json",
+                command="plan",
+                parameters=recorded,
+                inputs=inputs,
+                outputs=written,
+                account=account,
+                overwrite=overwrite,
+            )
+        )
+    report(1.0, "done")
+    return written
+
+
+def _write_layers(
+    result: Plan,
+    target: Path,
+    recorded: Mapping[str, Any],
+    creation_options: Mapping[str, Any] | None,
+    overwrite: bool,
+    report: Progress,
+) -> list[Path]:
+    tags = provenance(recorded, seed=int(result.parameters["seed"]))
     rasters: dict[str, xr.DataArray] = {
         "priority.tif": result.priority,
         "breaks.tif": result.breaks,
@@ -316,6 +345,13 @@ def write_plan(
         report(0.2 + 0.1 * i, name)
         write_raster(target / name, data, overwrite=overwrite, provenance=tags, creation_options=creation_options)
         written.append(target / name)
+    return written
+
+
+def _write_tables(result: Plan, target: Path, overwrite: bool, report: Progress) -> list[Path]:
+    from firebreak_gis.report.figures import save
+    from firebreak_gis.report.overview import overview_figure
+
     report(0.6, "breaks.gpkg")
     write_vector(target / "breaks.gpkg", result.polygons, layer="breaks", overwrite=overwrite)
     for name, frame in (("fire_sizes.csv", result.fire_sizes), ("evaluation.csv", table(result.evaluation))):
@@ -331,26 +367,7 @@ def write_plan(
         budget=float(result.parameters["d_f"]),
     )
     save(figure, target / "overview.png", overwrite=overwrite)
-    written += [target / name for name in ("breaks.gpkg", "fire_sizes.csv", "evaluation.csv", "overview.png")]
-    account = {
-        "grid": result.network.grid.describe(),
-        "alignment": result.landscape.attrs.get("alignment", []),
-        "warnings": result.landscape.attrs.get("warnings", []),
-        "summary": result.summary,
-    }
-    written.append(
-        write_manifest(
-            target / "run.json",
-            command="plan",
-            parameters=parameters or result.parameters,
-            inputs=inputs,
-            outputs=written,
-            account=account,
-            overwrite=overwrite,
-        )
-    )
-    report(1.0, "done")
-    return written
+    return [target / name for name in ("breaks.gpkg", "fire_sizes.csv", "evaluation.csv", "overview.png")]
 
 
 def _headline(result: Plan) -> str:

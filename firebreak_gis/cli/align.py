@@ -33,35 +33,39 @@ def command(session: Session, **given: Any) -> None:
     Writes elevation.tif, vegetation.tif and density.tif (classes of the paper) and says what was done to each
     layer.
     """
+    from firebreak_gis.files import require_writable, together
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import write_landscape
     from firebreak_gis.manifest import provenance, write_manifest
 
-    landscape = read_layers(given, session, progress=session.progress)
     inputs = input_files(given)
+    for name in OUTPUTS:
+        require_writable(Path(given["output"]) / name, overwrite=given["overwrite"], forbid=inputs)
+    landscape = read_layers(given, session, progress=session.progress)
     parameters = recorded(given)
-    files = write_landscape(
-        landscape,
-        given["output"],
-        overwrite=given["overwrite"],
-        provenance=provenance(parameters),
-        forbid=inputs,
-    )
     grid = Grid.of(landscape["burnable"])
     account = {
         "grid": grid.describe(),
         "alignment": landscape.attrs["alignment"],
         "warnings": landscape.attrs["warnings"],
     }
-    files.append(
-        write_manifest(
-            Path(given["output"]) / "run.json",
-            command="align",
-            parameters=parameters,
-            inputs=inputs,
-            outputs=files,
-            account=account,
+    with together(given["output"]) as target:
+        files = write_landscape(
+            landscape,
+            target,
             overwrite=given["overwrite"],
+            provenance=provenance(parameters),
+            forbid=inputs,
         )
-    )
+        files.append(
+            write_manifest(
+                target / "run.json",
+                command="align",
+                parameters=parameters,
+                inputs=inputs,
+                outputs=files,
+                account=account,
+                overwrite=given["overwrite"],
+            )
+        )
     session.finish({"files": files, **account}, f"{grid.describe()}; {len(files)} files in {given['output']}")

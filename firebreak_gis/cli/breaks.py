@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import click
@@ -28,7 +29,7 @@ def command(session: Session, priority: str, output: str, polygons: str | None, 
     A share cuts exactly round(budget x cells that can be cut); ties are cut by row, then column.
     """
     from firebreak_gis.breaks import break_polygons, select_breaks
-    from firebreak_gis.files import require_writable
+    from firebreak_gis.files import require_writable, together
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape.planes import value_plane
     from firebreak_gis.manifest import provenance
@@ -36,22 +37,24 @@ def command(session: Session, priority: str, output: str, polygons: str | None, 
     from firebreak_gis.vectors import write_vector
 
     files = [output] + ([polygons] if polygons else [])
+    inputs = [priority] + ([given["cost"]] if given["cost"] else [])
     for name in files:
-        require_writable(name, overwrite=given["overwrite"], forbid=[priority])
+        require_writable(name, overwrite=given["overwrite"], forbid=inputs)
     ranking = read_variable(priority, "priority")
     cost = None
     if given["cost"]:
         grid = Grid.of(ranking)
         cost = value_plane(given["cost"], grid, what="cost") * grid.cell_area_ha
     breaks = select_breaks(ranking, budget=given["budget"], unit=given["budget_unit"], cost=cost)
-    write_raster(
-        output,
-        breaks,
-        overwrite=given["overwrite"],
-        provenance=provenance({"budget": given["budget"], "unit": given["budget_unit"]}),
-        creation_options=options.pairs(given["creation_options"], "--co"),
-    )
-    if polygons:
-        write_vector(polygons, break_polygons(breaks, ranking), layer="breaks", overwrite=given["overwrite"])
+    with together(Path(output).parent):
+        write_raster(
+            output,
+            breaks,
+            overwrite=given["overwrite"],
+            provenance=provenance({"budget": given["budget"], "unit": given["budget_unit"]}),
+            creation_options=options.pairs(given["creation_options"], "--co"),
+        )
+        if polygons:
+            write_vector(polygons, break_polygons(breaks, ranking), layer="breaks", overwrite=given["overwrite"])
     count = breaks.attrs["cells_cut"]
     session.finish({"files": files, "cells_cut": count}, f"{count} cells cut; written to {', '.join(files)}")

@@ -26,7 +26,7 @@ def command(session: Session, network: str, output: str, mask: str | None, sizes
     With the same --seed the fires are the same with and without --breaks, so their difference is the breaks'
     work alone.
     """
-    from firebreak_gis.files import require_writable, write_text
+    from firebreak_gis.files import require_writable, together, write_text
     from firebreak_gis.manifest import provenance
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import read_variable, write_raster
@@ -49,19 +49,20 @@ def command(session: Session, network: str, output: str, mask: str | None, sizes
         **fires,
     )
     tags = provenance({**fires, "breaks": mask is not None, "residual": given["residual"]}, seed=seed)
-    write_raster(
-        output,
-        burns["burn_frequency"],
-        overwrite=given["overwrite"],
-        provenance=tags,
-        forbid=inputs,
-        creation_options=options.pairs(given["creation_options"], "--co"),
-    )
     cells = burns["fire_size"].to_numpy()
-    if sizes:
-        table = burns["fire_size"].to_dataframe(name="cells").reset_index()
-        table["ha"] = (table["cells"] * spread.grid.cell_area_ha).round(6)
-        write_text(sizes, table.to_csv(index=False, lineterminator="\n"), overwrite=given["overwrite"])
+    with together(Path(output).parent):
+        write_raster(
+            output,
+            burns["burn_frequency"],
+            overwrite=given["overwrite"],
+            provenance=tags,
+            forbid=inputs,
+            creation_options=options.pairs(given["creation_options"], "--co"),
+        )
+        if sizes:
+            table = burns["fire_size"].to_dataframe(name="cells").reset_index()
+            table["ha"] = (table["cells"] * spread.grid.cell_area_ha).round(6)
+            write_text(sizes, table.to_csv(index=False, lineterminator="\n"), overwrite=given["overwrite"])
     share = cells.mean() / spread.n_burnable
     session.finish(
         {"files": files, "mean_burnt_share": share, "max_burnt_share": cells.max() / spread.n_burnable},

@@ -57,7 +57,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     comparison.png, comparison.svg and run.json.
     """
     from firebreak_gis.comparison import compare_plans, comparison_table
-    from firebreak_gis.files import make_folder, require_writable, write_text
+    from firebreak_gis.files import make_folder, require_writable, together, write_text
     from firebreak_gis.manifest import write_manifest
     from firebreak_gis.progress import part
     from firebreak_gis.ranking import rank
@@ -92,23 +92,24 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
         progress=part(session.progress, 0.5, 0.95),
     )
     rows = comparison_table(result)
-    write_text(
-        files[0], rows.to_csv(index=False, lineterminator="\n", float_format="%.8g"), overwrite=given["overwrite"]
-    )
-    figure = comparison_figure(rows, n_burnable=spread.n_burnable, cell_area_ha=spread.grid.cell_area_ha)
-    for name in files[1:]:
-        save(figure, name, overwrite=given["overwrite"])
-    files.append(
-        write_manifest(
-            target / "run.json",
-            command="compare",
-            parameters=recorded({"network": network, "method_list": method_list, **given}),
-            inputs=_existing(inputs),
-            outputs=files,
-            account={"n_burnable": spread.n_burnable},
-            overwrite=given["overwrite"],
+    with together(target):
+        write_text(
+            files[0], rows.to_csv(index=False, lineterminator="\n", float_format="%.8g"), overwrite=given["overwrite"]
         )
-    )
+        figure = comparison_figure(rows, n_burnable=spread.n_burnable, cell_area_ha=spread.grid.cell_area_ha)
+        for name in files[1:]:
+            save(figure, name, overwrite=given["overwrite"])
+        files.append(
+            write_manifest(
+                target / "run.json",
+                command="compare",
+                parameters=recorded({"network": network, "method_list": method_list, **given}),
+                inputs=_existing(inputs),
+                outputs=files,
+                account={"n_burnable": spread.n_burnable},
+                overwrite=given["overwrite"],
+            )
+        )
     shown = rows.pivot_table(index="method", columns=["residual", "d_f"], values="R", sort=False)
     session.finish(
         {"files": files},

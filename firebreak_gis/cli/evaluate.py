@@ -62,7 +62,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     All rankings meet the same fires. Writes evaluation.csv, evaluation.png, evaluation.svg and run.json.
     """
     from firebreak_gis.evaluation import better_range, evaluate, table
-    from firebreak_gis.files import make_folder, require_writable, write_text
+    from firebreak_gis.files import make_folder, require_writable, together, write_text
     from firebreak_gis.manifest import write_manifest
     from firebreak_gis.pipeline import default_budgets
     from firebreak_gis.progress import part
@@ -99,22 +99,23 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
         seed=seed,
         progress=part(session.progress, 0.5, 0.95),
     )
-    write_text(files[0], table(result).to_csv(index=False, lineterminator="\n"), overwrite=given["overwrite"])
-    figure = curve_figure(result)
-    for name in files[1:]:
-        save(figure, name, overwrite=given["overwrite"])
-    better = {label: better_range(result, label) for label in priorities if label != given["baseline"]}
-    files.append(
-        write_manifest(
-            target / "run.json",
-            command="evaluate",
-            inputs=inputs,
-            outputs=files,
-            parameters=recorded({"network": network, "method_list": method_list, **given}),
-            account={"n_burnable": spread.n_burnable, "significant_d_f": better},
-            overwrite=given["overwrite"],
+    with together(target):
+        write_text(files[0], table(result).to_csv(index=False, lineterminator="\n"), overwrite=given["overwrite"])
+        figure = curve_figure(result)
+        for name in files[1:]:
+            save(figure, name, overwrite=given["overwrite"])
+        better = {label: better_range(result, label) for label in priorities if label != given["baseline"]}
+        files.append(
+            write_manifest(
+                target / "run.json",
+                command="evaluate",
+                inputs=inputs,
+                outputs=files,
+                parameters=recorded({"network": network, "method_list": method_list, **given}),
+                account={"n_burnable": spread.n_burnable, "significant_d_f": better},
+                overwrite=given["overwrite"],
+            )
         )
-    )
     told = [
         f"{label} burns less than {given['baseline']} (alpha {given['alpha']:g}) "
         + ("nowhere" if span is None else f"at d_f from {span[0]:g} to {span[1]:g}")

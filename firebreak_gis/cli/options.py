@@ -68,8 +68,27 @@ def common(command: F) -> F:
     return wrapper  # type: ignore[return-value]
 
 
+def claiming_output(command: F, *, folder: bool) -> F:
+    """Keep other runs from writing to `output` while the command runs."""
+
+    @functools.wraps(command)
+    def wrapper(*args: Any, **kwargs: Any) -> Any:
+        from firebreak_gis.files import claiming
+
+        with claiming(kwargs["output"], folder=folder):
+            return command(*args, **kwargs)
+
+    return wrapper  # type: ignore[return-value]
+
+
+def claiming_folder(command: F) -> F:
+    """Keep other runs out of the folder `output` while the command runs; it is made if missing."""
+    return claiming_output(command, folder=True)
+
+
 def output_folder(command: F) -> F:
     """-o DIR and --overwrite."""
+    command = claiming_folder(command)
     command = click.option(
         "-o",
         "--output",
@@ -92,7 +111,7 @@ def output_file(what: str) -> Callable[[F], F]:
                 metavar="FILE",
                 required=True,
                 help=f"{what} to write.",
-            )(command)
+            )(claiming_output(command, folder=False))
         )
 
     return decorate

@@ -33,12 +33,13 @@ def command() -> None:
 @click.option("--runs", "n_runs", type=int, default=10, show_default=True, help="Fires a forest.")
 @options.seed
 @options.common
+@options.claiming_folder
 def artificial_forest_command(session: Session, **given: Any) -> None:
     """Figure 1: R(d_f) of every centrality on random forests of 50 x 50 cells.
 
     Writes curve.csv, summary.json, figure_1.png, figure_1.svg and run.json.
     """
-    from firebreak_gis.files import make_folder, require_writable, write_text
+    from firebreak_gis.files import make_folder, require_writable, together, write_text
     from firebreak_gis.manifest import write_manifest
     from firebreak_gis.paper.artificial_forest import FALLEN, artificial_forest, curve_table, summary
     from firebreak_gis.report.figures import save
@@ -54,22 +55,23 @@ def artificial_forest_command(session: Session, **given: Any) -> None:
         n_forests=given["n_forests"], n_runs=given["n_runs"], seed=given["seed"], progress=session.progress
     )
     found = summary(result)
-    write_text(files[0], curve_table(result).to_csv(index=False, lineterminator="\n"), overwrite=replace)
-    write_text(files[1], json.dumps(found, indent=2) + "\n", overwrite=replace)
-    figure = figure_1(result, fallen=FALLEN)
-    for name in files[2:]:
-        save(figure, name, overwrite=replace)
-    files.append(
-        write_manifest(
-            target / "run.json",
-            command="reproduce artificial-forest",
-            inputs=[],
-            outputs=files,
-            parameters=recorded(given),
-            account=found,
-            overwrite=replace,
+    with together(target):
+        write_text(files[0], curve_table(result).to_csv(index=False, lineterminator="\n"), overwrite=replace)
+        write_text(files[1], json.dumps(found, indent=2) + "\n", overwrite=replace)
+        figure = figure_1(result, fallen=FALLEN)
+        for name in files[2:]:
+            save(figure, name, overwrite=replace)
+        files.append(
+            write_manifest(
+                target / "run.json",
+                command="reproduce artificial-forest",
+                inputs=[],
+                outputs=files,
+                parameters=recorded(given),
+                account=found,
+                overwrite=replace,
+            )
         )
-    )
     lines = [
         f"{label:14} mean R below {FALLEN:g} from d_f = {row['d_f_below_0.3']}"
         for label, row in found["methods"].items()
@@ -116,13 +118,14 @@ def artificial_forest_command(session: Session, **given: Any) -> None:
 @options.seed
 @options.landscape
 @options.common
+@options.claiming_folder
 def landscape_command(session: Session, **given: Any) -> None:
     """Figures 3 to 6 on a landscape: DEM, VEGETATION, DENSITY; without them on the sample data.
 
     Writes figure_3.png to figure_6.png, evaluation.csv, cut_cells.csv and run.json.
     """
     from firebreak_gis.evaluation import table
-    from firebreak_gis.files import make_folder, require_writable, write_text
+    from firebreak_gis.files import make_folder, require_writable, together, write_text
     from firebreak_gis.manifest import write_manifest
     from firebreak_gis.paper.landscape import cut_table, grey_levels, landscape_experiment
     from firebreak_gis.progress import part
@@ -159,23 +162,24 @@ def landscape_command(session: Session, **given: Any) -> None:
         paper.figure_5(result.evaluation),
         paper.figure_6(result.window, result.breaks),
     )
-    for name, figure in zip(pictures, figures, strict=True):
-        save(figure, name, overwrite=replace)
     cut = cut_table(result)
-    for name, frame in zip(tables, (table(result.evaluation), cut), strict=True):
-        write_text(name, frame.to_csv(index=False, lineterminator="\n"), overwrite=replace)
-    files = [*pictures, *tables]
-    files.append(
-        write_manifest(
-            target / "run.json",
-            command="reproduce landscape",
-            inputs=inputs,
-            outputs=files,
-            parameters=recorded(given),
-            account={"cut_cells": cut.to_dict("records")},
-            overwrite=replace,
+    with together(target):
+        for name, figure in zip(pictures, figures, strict=True):
+            save(figure, name, overwrite=replace)
+        for name, frame in zip(tables, (table(result.evaluation), cut), strict=True):
+            write_text(name, frame.to_csv(index=False, lineterminator="\n"), overwrite=replace)
+        files = [*pictures, *tables]
+        files.append(
+            write_manifest(
+                target / "run.json",
+                command="reproduce landscape",
+                inputs=inputs,
+                outputs=files,
+                parameters=recorded(given),
+                account={"cut_cells": cut.to_dict("records")},
+                overwrite=replace,
+            )
         )
-    )
     session.finish(
         {"files": files, "cut_cells": cut.to_dict("records")},
         f"{cut.to_string(index=False, float_format=lambda v: f'{v:.3f}')}\nwritten to {target}",

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.errors import InputError, OutputError
-from firebreak_gis.files import make_folder, require_writable
+from firebreak_gis.files import remove_file, require_writable, together
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.fuel import LAYERS, burnable_cells
 from firebreak_gis.rasters import read_variable, write_raster
@@ -48,30 +48,36 @@ def write_landscape(
     """
     names = [name for name in LAYERS + EFFECTS if name in dataset]
     validate(dataset, [*LAYERS, *names[len(LAYERS) :]])
-    place = make_folder(folder)
-    barred = list(forbid)
-    for name in names:
-        require_writable(place / f"{name}.tif", overwrite=overwrite, forbid=barred)
-    for name in set(EFFECTS) - set(names):
-        # An effect of another landscape would be taken for one of this.
-        old = place / f"{name}.tif"
-        if old.exists() and not overwrite:
-            raise OutputError(
-                f"{old} belongs to another landscape; choose another folder or allow overwriting (--overwrite)"
-            )
-        old.unlink(missing_ok=True)
     told = {key: list(dataset.attrs[key]) for key in ("alignment", "warnings") if key in dataset.attrs}
     told |= {"legend": dataset.attrs["legend"]} if "legend" in dataset.attrs else {}
-    return [
-        write_raster(
-            place / f"{name}.tif",
-            dataset[name],
-            overwrite=overwrite,
-            forbid=barred,
-            provenance={**(provenance or {}), **(told if name == "elevation" else {})},
+    barred = list(forbid)
+    with together(folder) as place:
+        for name in names:
+            require_writable(place / f"{name}.tif", overwrite=overwrite, forbid=barred)
+        for name in sorted(set(EFFECTS) - set(names)):
+            _remove_effect(place / f"{name}.tif", overwrite, barred)
+        return [
+            write_raster(
+                place / f"{name}.tif",
+                dataset[name],
+                overwrite=overwrite,
+                forbid=barred,
+                provenance={**(provenance or {}), **(told if name == "elevation" else {})},
+            )
+            for name in names
+        ]
+
+
+def _remove_effect(old: Path, overwrite: bool, barred: list[str | os.PathLike[str]]) -> None:
+    """An effect of another landscape would be taken for one of this."""
+    if not old.exists():
+        return
+    if not overwrite:
+        raise OutputError(
+            f"{old} belongs to another landscape; choose another folder or allow overwriting (--overwrite)"
         )
-        for name in names
-    ]
+    require_writable(old, overwrite=True, forbid=barred)
+    remove_file(old)
 
 
 def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:

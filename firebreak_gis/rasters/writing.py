@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.errors import FirebreakError, InputError, OutputError, VerificationError
-from firebreak_gis.files import replacing, require_writable, write_text
+from firebreak_gis.files import replacing, write_text
 from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.rasters.header import open_raster
@@ -78,13 +78,15 @@ def write_raster(
     planes = values if values.ndim == 3 else values[np.newaxis]
     tags = {**(provenance or {}), **{key: data.attrs[key] for key in ("boundary",) if key in data.attrs}}
     options = {"blocksize": 256, **_lower(creation_options or {})}
+    place = Path(path)
     with replacing(
-        path, overwrite=overwrite, forbid=forbid, verify=lambda part: _verify(part, planes, grid, variable)
+        path,
+        overwrite=overwrite,
+        forbid=forbid,
+        verify=lambda part: _verify(part, planes, grid, variable),
+        remove=[place.with_name(place.name + suffix) for suffix in SIDECARS],
     ) as part:
         _write(part, planes, grid, variable, tags, options)
-    place = Path(path)
-    for suffix in SIDECARS:
-        place.with_name(place.name + suffix).unlink(missing_ok=True)
     _write_style(place, values, variable, overwrite)
     return place
 
@@ -241,7 +243,6 @@ def _write_style(place: Path, values: np.ndarray, variable: Variable, overwrite:
     else:
         low, high = _usual_range(values[values != variable.nodata])
         text = qml(variable, minimum=low, maximum=high)
-    require_writable(style, overwrite=True)
     write_text(style, text, overwrite=True)
 
 

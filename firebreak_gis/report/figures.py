@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.errors import OutputError
-from firebreak_gis.files import replacing
+from firebreak_gis.files import write_bytes
 from firebreak_gis.schema import VARIABLES
 
 if TYPE_CHECKING:
@@ -51,12 +52,11 @@ def save(figure: Figure, path: str | os.PathLike[str], *, overwrite: bool = Fals
     kind = target.suffix.lstrip(".").lower()
     if kind not in _DATES:
         raise OutputError(f"{target.name} has no known picture extension; expected .{', .'.join(_DATES)}")
+    drawn = io.BytesIO()
     # A fixed salt makes the identifiers inside an SVG the same each time.
-    with (
-        mpl.rc_context({"svg.hashsalt": "firebreak_gis"}),
-        replacing(target, overwrite=overwrite) as temporary,
-    ):
-        figure.savefig(temporary, dpi=dpi, format=kind, metadata=_DATES[kind])
+    with mpl.rc_context({"svg.hashsalt": "firebreak_gis"}):
+        figure.savefig(drawn, dpi=dpi, format=kind, metadata=_DATES[kind])
+    write_bytes(target, drawn.getvalue(), overwrite=overwrite)
     return target
 
 
