@@ -15,13 +15,15 @@ from firebreak_gis.setting import Setting
 from tests.twins import placement as twin
 
 
-def case(seed: int, boundary: str = "open", shape: tuple[int, int] = (9, 12), density: float = 0.35):
+def case(
+    seed: int, boundary: str = "open", shape: tuple[int, int] = (9, 12), density: float = 0.35, residual: float = 0.0
+):  # fmt: skip
     random = np.random.default_rng(seed)
     probability = (random.random((8, *shape)) * density * 2).clip(0, 1).astype(np.float32)
     network = SpreadNetwork(probability, burnable=random.random(shape) > 0.1, boundary=boundary)
     setting = Setting(network, value=random.integers(0, 9, shape), ignition=random.random(shape))
     alive = (network.burnable & (random.random(shape) > 0.05)).ravel()
-    fires = design_fires(network, setting, n_runs=12, seed=seed)
+    fires = design_fires(network, setting, n_runs=12, seed=seed, residual=residual)
     return network, setting, alive, fires
 
 
@@ -35,8 +37,9 @@ def by_twin(function, network, setting, alive, fires):
 
 @pytest.mark.parametrize("boundary", ["open", "periodic"])
 @pytest.mark.parametrize("density", [0.2, 0.35, 0.5])
-def test_downstream_value_equals_the_tree_climbed_cell_by_cell(boundary, density):
-    network, setting, alive, fires = case(1, boundary, density=density)
+@pytest.mark.parametrize("residual", [0.0, 0.3])
+def test_downstream_value_equals_the_tree_climbed_cell_by_cell(boundary, density, residual):
+    network, setting, alive, fires = case(1, boundary, density=density, residual=residual)
     gain, lost = mean_gain(gains.downstream, fires, alive, setting.value.ravel(), progress=silent)
     np.testing.assert_allclose(gain, by_twin(twin.downstream, network, setting, alive, fires), rtol=1e-12, atol=1e-12)
     assert lost == pytest.approx(by_twin(twin.loss, network, setting, alive, fires))
@@ -56,26 +59,45 @@ def test_dominated_value_is_what_deleting_the_cell_saves(boundary, density):
 
 
 @pytest.mark.parametrize("boundary", ["open", "periodic"])
-def test_reopened_value_is_what_leaving_the_cell_costs(boundary):
-    network, setting, alive, fires = case(3, boundary)
+@pytest.mark.parametrize("density", [0.2, 0.35, 0.5])
+@pytest.mark.parametrize("residual", [0.1, 0.5])
+def test_dominated_value_is_what_treating_the_cell_saves_where_breaks_leak(boundary, density, residual):
+    network, setting, alive, fires = case(7, boundary, density=density, residual=residual)
+    gain, lost = mean_gain(gains.dominated, fires, alive, setting.value.ravel(), progress=silent)
+    treated = by_twin(twin.gain_by_deleting, network, setting, alive, fires)
+    np.testing.assert_allclose(gain, treated, rtol=1e-12, atol=1e-12)
+    assert lost == pytest.approx(by_twin(twin.loss, network, setting, alive, fires))
+
+
+@pytest.mark.parametrize("boundary", ["open", "periodic"])
+@pytest.mark.parametrize("residual", [0.0, 0.3])
+def test_reopened_value_is_what_leaving_the_cell_costs(boundary, residual):
+    network, setting, alive, fires = case(3, boundary, residual=residual)
     value = setting.value.ravel()
-    cut = np.flatnonzero(network.burnable.ravel() & ~alive)
-    loss = np.zeros(cut.size)
-    gains.reopened(
-        fires.limits, fires.keys, fires.grid_steps, fires.cells, alive, value, cut, 0, fires.keys.size, loss
-    )
+    loss = np.zeros(alive.size)
+    given = (fires.limits, fires.leaks, fires.keys, fires.grid_steps, fires.cells, alive, value, 0, fires.keys.size)
+    gains.reopened(*given, np.inf, loss)
     before = by_twin(twin.loss, network, setting, alive, fires)
-    for cell, got in zip(cut, loss / fires.keys.size, strict=True):
+    cut = np.flatnonzero(network.burnable.ravel() & ~alive)
+    for cell in cut:
         left = alive.copy()
         left[cell] = True
-        assert got == pytest.approx(by_twin(twin.loss, network, setting, left, fires) - before)
+        expected = by_twin(twin.loss, network, setting, left, fires) - before
+        assert loss[cell] / fires.keys.size == pytest.approx(expected)
+    assert not loss[alive].any()
+    capped = np.zeros(alive.size)
+    enough = float(np.median(loss[cut]))
+    gains.reopened(*given, enough, capped)
+    assert (capped[loss < enough] == loss[loss < enough]).all()
+    assert (capped[loss >= enough] >= enough).all()
 
 
-def test_losses_of_the_design_are_those_of_the_twin():
-    network, setting, alive, fires = case(4)
+@pytest.mark.parametrize("residual", [0.0, 0.3])
+def test_losses_of_the_design_are_those_of_the_twin(residual):
+    network, setting, alive, fires = case(4, residual=residual)
     cut = (network.burnable.ravel() & ~alive).reshape(network.shape)
     expected = by_twin(twin.loss, network, setting, alive, fires) / setting.value.sum()
-    assert losses(network, setting, cut, fires, progress=silent).mean() == pytest.approx(expected)
+    assert losses(network, setting, cut, fires, residual=residual, progress=silent).mean() == pytest.approx(expected)
 
 
 def test_gains_do_not_depend_on_threads():

@@ -3,11 +3,14 @@
 Common arguments:
 
 thresholds, keys, steps
-    As in `kernels.percolation`.
+    As in `kernels.percolation`; the thresholds are those before cutting.
+leaks
+    `draws.Thresholds` of edges into cut cells; empty if breaks are perfect.
 cells
     (n_runs,) int64 ignition cell of each run.
 alive
-    (n_cells,) bool: not cut yet. A fire that starts on a cut cell burns nothing.
+    (n_cells,) bool: not cut yet. A fire that starts on a cut cell burns nothing if breaks are perfect, and goes on if
+    they leak.
 value
     (n_cells,) float64 lost when the cell burns.
 gain
@@ -33,8 +36,8 @@ def _neighbour(cell: int, d: int, steps: Steps) -> int:
 
 @kernel
 def downstream(
-    thresholds: Thresholds, keys: np.ndarray, steps: Steps, cells: np.ndarray, alive: np.ndarray, value: np.ndarray,
-    first: int, last: int, gain: np.ndarray,
+    thresholds: Thresholds, leaks: Thresholds, keys: np.ndarray, steps: Steps, cells: np.ndarray, alive: np.ndarray,
+    value: np.ndarray, first: int, last: int, gain: np.ndarray,
 ) -> float:
     """Value of each cell and of all that it lit, directly or not, in runs `first` .. `last - 1`.
 
@@ -52,7 +55,7 @@ def downstream(
     worth = np.empty(n_cells, np.float64)
     lost = 0.0
     for run in range(first, last):
-        if not alive[cells[run]]:
+        if not alive[cells[run]] and leaks.top.size == 0:
             continue
         queue[0] = cells[run]
         lit_by[cells[run]] = cells[run]
@@ -61,11 +64,11 @@ def downstream(
             cell = np.int64(queue[head])
             head += 1
             worth[cell] = value[cell]
-            opened = open_edges(keys[run], np.uint64(cell), thresholds.top[cell], thresholds.rest)
+            opened, _ = _open_bits(thresholds, leaks, keys[run], cell, steps, alive)
             for d in range(8):
-                if (opened >> np.uint64(8 * d + 7)) & np.uint64(1):
+                if (opened >> np.uint8(d)) & np.uint8(1):
                     target = _neighbour(cell, d, steps)
-                    if alive[target] and lit_by[target] < 0:
+                    if lit_by[target] < 0:
                         lit_by[target] = cell
                         queue[tail] = target
                         tail += 1
@@ -82,14 +85,15 @@ def downstream(
 
 @kernel
 def dominated(
-    thresholds: Thresholds, keys: np.ndarray, steps: Steps, cells: np.ndarray, alive: np.ndarray, value: np.ndarray,
-    first: int, last: int, gain: np.ndarray,
+    thresholds: Thresholds, leaks: Thresholds, keys: np.ndarray, steps: Steps, cells: np.ndarray, alive: np.ndarray,
+    value: np.ndarray, first: int, last: int, gain: np.ndarray,
 ) -> float:
     """Value that would not burn without the cell in runs `first` .. `last - 1`: exactly what cutting it saves.
 
     A cell burns only by way of its dominators in the graph of open edges, rooted at the ignition; the gain of a
     cell is the value of its subtree in the dominator tree (semi-NCA: Georgiadis, Tarjan, Werneck 2006,
-    doi 10.7155/jgaa.00119). Cost: a few passes over the open edges of a run.
+    doi 10.7155/jgaa.00119). Where breaks leak, cutting saves nothing in runs in which fire still enters the cell.
+    Cost: a few passes over the open edges of a run.
 
     Returns
     -------
@@ -99,6 +103,7 @@ def dominated(
     n_cells = alive.shape[0]
     number = np.full(n_cells, -1, np.int32)  # position in depth-first order
     opened = np.zeros(n_cells, np.uint8)
+    leaking = np.zeros(n_cells, np.uint8)
     vertex = np.empty(n_cells, np.int32)
     ancestor = np.empty(n_cells, np.int32)
     dominator = np.empty(n_cells, np.int32)
@@ -106,11 +111,14 @@ def dominated(
     label = np.empty(n_cells, np.int32)
     stack = np.empty(n_cells, np.int32)
     worth = np.empty(n_cells, np.float64)
+    leaky = leaks.top.size > 0
     lost = 0.0
     for run in range(first, last):
-        if not alive[cells[run]]:
+        if not alive[cells[run]] and not leaky:
             continue
-        n = _depth_first(thresholds, keys[run], steps, cells[run], alive, number, opened, vertex, ancestor, stack)
+        n = _depth_first(
+            thresholds, leaks, keys[run], steps, cells[run], alive, number, opened, leaking, vertex, ancestor, stack
+        )
         for i in range(n):
             dominator[i] = ancestor[i]
             semi[i] = i
@@ -134,24 +142,42 @@ def dominated(
             worth[dominator[i]] += worth[i]
         lost += worth[0]
         for i in range(n):
-            gain[vertex[i]] += worth[i]
+            if not leaky or (i > 0 and not _enters(np.int64(vertex[i]), i, steps, number, leaking, dominator)):
+                gain[vertex[i]] += worth[i]
+        for i in range(n):
             number[vertex[i]] = -1
     return lost
 
 
 @kernel
+def _enters(
+    cell: int, i: int, steps: Steps, number: np.ndarray, leaking: np.ndarray, dominator: np.ndarray
+) -> bool:
+    """Whether fire enters the cell, the i-th of its run, though it is cut, from one that burns without it."""
+    for d in range(8):
+        other = _neighbour(cell, d, steps)
+        if 0 <= other < number.shape[0] and number[other] >= 0 and (leaking[other] >> ((d + 4) & 7)) & 1:
+            above = number[other]
+            while above > i:
+                above = dominator[above]
+            if above != i:
+                return True
+    return False
+
+
+@kernel
 def _depth_first(
-    thresholds: Thresholds, key: np.uint64, steps: Steps, start: int, alive: np.ndarray, number: np.ndarray,
-    opened: np.ndarray, vertex: np.ndarray, parent: np.ndarray, stack: np.ndarray,
+    thresholds: Thresholds, leaks: Thresholds, key: np.uint64, steps: Steps, start: int, alive: np.ndarray,
+    number: np.ndarray, opened: np.ndarray, leaking: np.ndarray, vertex: np.ndarray, parent: np.ndarray,
+    stack: np.ndarray,
 ) -> int:
     """Number the cells that burn in depth-first order; how many burn. `parent` holds numbers, 0 for the first."""
-    n = 0
     depth = 0
     stack[0] = start
     number[start] = 0
     parent[0] = 0
     vertex[0] = start
-    opened[start] = _open_bits(thresholds, key, start, steps, alive)
+    opened[start], leaking[start] = _open_bits(thresholds, leaks, key, start, steps, alive)
     left = np.zeros(alive.shape[0], np.uint8)  # open edges of a cell on the stack that are still to be tried
     left[start] = opened[start]
     n = 1
@@ -169,7 +195,7 @@ def _depth_first(
             number[target] = n
             parent[n] = number[cell]
             vertex[n] = target
-            opened[target] = _open_bits(thresholds, key, target, steps, alive)
+            opened[target], leaking[target] = _open_bits(thresholds, leaks, key, target, steps, alive)
             left[target] = opened[target]
             n += 1
             depth += 1
@@ -178,14 +204,22 @@ def _depth_first(
 
 
 @inlined
-def _open_bits(thresholds: Thresholds, key: np.uint64, cell: int, steps: Steps, alive: np.ndarray) -> np.uint8:
-    """Bit d set where the edge in direction d is open and leads to a cell that is alive."""
+def _open_bits(
+    thresholds: Thresholds, leaks: Thresholds, key: np.uint64, cell: int, steps: Steps, alive: np.ndarray
+) -> tuple[np.uint8, np.uint8]:
+    """Bit d set where fire passes in direction d; and where it would pass even if the cell there were cut."""
     edges = open_edges(key, np.uint64(cell), thresholds.top[cell], thresholds.rest)
-    bits = np.uint8(0)
+    strong = np.uint64(0)
+    if leaks.top.size > 0:
+        strong = open_edges(key, np.uint64(cell), leaks.top[cell], leaks.rest)
+    bits, leaking = np.uint8(0), np.uint8(0)
     for d in range(8):
-        if (edges >> np.uint64(8 * d + 7)) & np.uint64(1) and alive[_neighbour(cell, d, steps)]:
-            bits |= np.uint8(1) << np.uint8(d)
-    return bits
+        if (edges >> np.uint64(8 * d + 7)) & np.uint64(1):
+            through = (strong >> np.uint64(8 * d + 7)) & np.uint64(1)
+            leaking |= np.uint8(through) << np.uint8(d)
+            if through or alive[_neighbour(cell, d, steps)]:
+                bits |= np.uint8(1) << np.uint8(d)
+    return bits, leaking
 
 
 @kernel
@@ -216,47 +250,71 @@ def _lowest(
 
 @kernel
 def reopened(
-    thresholds: Thresholds, keys: np.ndarray, steps: Steps, cells: np.ndarray, alive: np.ndarray, value: np.ndarray,
-    cut: np.ndarray, first: int, last: int, loss: np.ndarray,
+    thresholds: Thresholds, leaks: Thresholds, keys: np.ndarray, steps: Steps, cells: np.ndarray, alive: np.ndarray,
+    value: np.ndarray, first: int, last: int, enough: float, loss: np.ndarray,
 ) -> None:
     """Value that burns in addition if one cut cell is left uncut, in runs `first` .. `last - 1`.
 
     Parameters
     ----------
-    cut
-        (n_cut,) int64 cells that are not alive.
+    enough
+        A cell whose loss here is as much is not followed any more.
     loss
-        (n_cut,) float64; the additional loss is added, summed over the runs.
+        (n_cells,) float64; the additional loss of each cut cell is added, summed over the runs.
     """
     n_cells = alive.shape[0]
-    stamp = np.zeros(n_cells, np.int32)  # 1: burns; 2, 3, ...: burns if the cell of that search is left
+    stamp = np.zeros(n_cells, np.int32)  # the mark of the last search that reached the cell
+    listed = np.full(n_cells, -1, np.int32)
     queue = np.empty(n_cells, np.int32)
+    near = np.empty(n_cells, np.int32)
+    mark = np.int32(0)
     for run in range(first, last):
-        stamp[:] = 0
+        if mark > np.int32(2**31 - 2) - np.int32(n_cells):
+            stamp[:] = 0
+            mark = np.int32(0)
         start = cells[run]
-        if alive[start]:
-            _spread(thresholds, keys[run], steps, start, alive, stamp, np.int32(1), queue, value)
-        mark = np.int32(1)
-        for k in range(cut.shape[0]):
-            cell = cut[k]
-            lit = cell == start
-            for d in range(8):
-                other = _neighbour(cell, d, steps)
-                if not lit and 0 <= other < n_cells and stamp[other] == 1:
-                    edges = open_edges(keys[run], np.uint64(other), thresholds.top[other], thresholds.rest)
-                    lit = (edges >> np.uint64(8 * ((d + 4) & 7) + 7)) & np.uint64(1) != 0
-            if lit:
+        mark += np.int32(1)
+        burning = mark
+        n_near = 0
+        if not alive[start] and leaks.top.size == 0:
+            near[0] = start
+            n_near = 1
+        else:
+            queue[0] = start
+            stamp[start] = burning
+            head, tail = 0, 1
+            while head < tail:
+                cell = np.int64(queue[head])
+                head += 1
+                edges = open_edges(keys[run], np.uint64(cell), thresholds.top[cell], thresholds.rest)
+                bits, _ = _open_bits(thresholds, leaks, keys[run], cell, steps, alive)
+                for d in range(8):
+                    if (edges >> np.uint64(8 * d + 7)) & np.uint64(1):
+                        target = _neighbour(cell, d, steps)
+                        if (bits >> np.uint8(d)) & np.uint8(1):
+                            if stamp[target] != burning:
+                                stamp[target] = burning
+                                queue[tail] = target
+                                tail += 1
+                        elif listed[target] != run:
+                            listed[target] = run
+                            near[n_near] = target
+                            n_near += 1
+        for k in range(n_near):
+            cell = np.int64(near[k])
+            if stamp[cell] != burning and loss[cell] < enough:
                 mark += np.int32(1)
-                loss[k] += _spread(thresholds, keys[run], steps, cell, alive, stamp, mark, queue, value)
-                stamp[cell] = 0
+                loss[cell] += _added(
+                    thresholds, leaks, keys[run], steps, cell, alive, stamp, burning, mark, queue, value
+                )
 
 
 @kernel
-def _spread(
-    thresholds: Thresholds, key: np.uint64, steps: Steps, start: int, alive: np.ndarray, stamp: np.ndarray,
-    mark: np.int32, queue: np.ndarray, value: np.ndarray,
+def _added(
+    thresholds: Thresholds, leaks: Thresholds, key: np.uint64, steps: Steps, start: int, alive: np.ndarray,
+    stamp: np.ndarray, burning: np.int32, mark: np.int32, queue: np.ndarray, value: np.ndarray,
 ) -> float:
-    """Mark what burns from `start` and bears neither 1 nor `mark`; its value."""
+    """Value of what burns from `start` and does not burn yet."""
     queue[0] = start
     stamp[start] = mark
     head, tail = 0, 1
@@ -265,11 +323,11 @@ def _spread(
         cell = np.int64(queue[head])
         head += 1
         total += value[cell]
-        edges = open_edges(key, np.uint64(cell), thresholds.top[cell], thresholds.rest)
+        bits, _ = _open_bits(thresholds, leaks, key, cell, steps, alive)
         for d in range(8):
-            if (edges >> np.uint64(8 * d + 7)) & np.uint64(1):
+            if (bits >> np.uint8(d)) & np.uint8(1):
                 target = _neighbour(cell, d, steps)
-                if alive[target] and stamp[target] != 1 and stamp[target] != mark:
+                if stamp[target] != burning and stamp[target] != mark:
                     stamp[target] = mark
                     queue[tail] = target
                     tail += 1

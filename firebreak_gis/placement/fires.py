@@ -34,6 +34,8 @@ class Fires:
     ----------
     limits
         Draw thresholds of the edges before cutting.
+    leaks
+        Draw thresholds of edges into cut cells; empty if breaks are perfect.
     keys
         (n_runs,) uint64.
     cells
@@ -43,23 +45,30 @@ class Fires:
     """
 
     limits: Thresholds
+    leaks: Thresholds
     keys: np.ndarray
     cells: np.ndarray
     grid_steps: Steps
 
 
-def design_fires(network: SpreadNetwork, setting: Setting, *, n_runs: int, seed: int) -> Fires:
+def design_fires(
+    network: SpreadNetwork, setting: Setting, *, n_runs: int, seed: int, residual: float = 0.0
+) -> Fires:
     """Draw the fires that a plan is designed with, ignitions by their weights in `setting`.
 
     The n-th fire starts in the n-th of `n_runs` equal shares of the ignition weights (systematic sampling), which
-    takes much of the noise out of means.
+    takes much of the noise out of means. `residual` is the share of its spread probability that an edge into a cut
+    cell keeps.
     """
     cumulative = np.cumsum(setting.ignition.ravel())
     start = uniforms(stream_key(seed + _DESIGN, "ignitions"), 1)
     cells = np.searchsorted(cumulative, (np.arange(n_runs) + start) / n_runs * cumulative[-1], side="right")
     last = int(np.flatnonzero(setting.ignition.ravel())[-1])
+    leaks = Thresholds(np.zeros(0, np.uint64), np.zeros((0, 3), np.uint64))
+    if residual > 0.0:
+        leaks = thresholds(network.probability * np.float32(residual))
     return Fires(
-        thresholds(network.probability), run_keys(seed + _DESIGN, "edges", n_runs), np.minimum(cells, last),
+        thresholds(network.probability), leaks, run_keys(seed + _DESIGN, "edges", n_runs), np.minimum(cells, last),
         steps(network.shape, periodic=network.boundary == "periodic"),
     )  # fmt: skip
 

@@ -44,7 +44,7 @@ def mean_gain(
 
     def work(i: int) -> None:
         lost[i] = kernel(
-            fires.limits, fires.keys, fires.grid_steps, fires.cells, alive, value, *parts[i], sums[i]
+            fires.limits, fires.leaks, fires.keys, fires.grid_steps, fires.cells, alive, value, *parts[i], sums[i]
         )
 
     burn_pieces(work, fires.keys.size, alive.size, threads=threads, progress=progress)

@@ -1,4 +1,4 @@
-"""Improve a plan on simulated fires: drop cells that do little, put others in, swap."""
+"""Improve a plan on simulated fires: drop cells that do little, put others in, swap, widen."""
 
 from __future__ import annotations
 
@@ -6,106 +6,149 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from firebreak_gis.breaks import select_breaks
 from firebreak_gis.kernels.gains import dominated, reopened
 from firebreak_gis.placement.dissection import lines_first
-from firebreak_gis.placement.fires import Fires, burn_pieces, design_fires, pieces
+from firebreak_gis.placement.fires import Fires, burn_pieces, design_fires, losses, pieces
 from firebreak_gis.placement.gains import mean_gain
-from firebreak_gis.placement.widening import affordable
 from firebreak_gis.progress import part
 
 if TYPE_CHECKING:
+    import xarray as xr
+
+    from firebreak_gis.breaks import BudgetUnit
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
     from firebreak_gis.setting import Setting
 
+#: Share of the cut cells that the first moves exchange at once.
+_FIRST = 1 / 8
+#: Steps in which a batch is put in again; gains are found anew before each.
+_STEPS = 4
+#: Cells of a batch lie farther apart than this, so that what one does hardly depends on the others.
+_APART = 2
 #: Cut cells that are tried in a swap, those that do least first.
 _TRIES = 8
 #: Swaps for which a cell that came or went stays as it is.
 _TENURE = 7
+#: Added to the seed for the fires on which an improvement must hold.
+_CHECK = 15_485_863
 
 
 class _Plan:
-    """A set of cut cells on fixed fires; what they lose and what each change does, in units of value."""
+    """A set of cut cells on fixed fires; what each change does, in units of value."""
 
     def __init__(
-        self, network: SpreadNetwork, setting: Setting, cut: np.ndarray, fires: Fires, limit: float,
-        threads: int | None,
+        self, network: SpreadNetwork, setting: Setting, free: np.ndarray, cut: np.ndarray, fires: Fires,
+        price: np.ndarray, limit: float, threads: int | None,
     ) -> None:  # fmt: skip
-        self.fires, self.threads, self.limit = fires, threads, limit
-        self.free = (network.burnable & ~setting.protected).ravel()
-        self.cost, self.value = setting.cost.ravel(), setting.value.ravel()
+        self.shape, self.fires, self.threads = network.shape, fires, threads
+        self.free = free.ravel()
+        self.price, self.limit = np.maximum(price.ravel(), 1e-12 * max(limit, 1e-288)), limit * (1 + 1e-12)
+        self.value = setting.value.ravel()
         self.alive = network.burnable.ravel() & ~cut.ravel()
-        self.spent = float(self.cost[cut.ravel()].sum())
 
-    def gains(self, progress: Progress) -> tuple[np.ndarray, float]:
-        """Gain of cutting each cell that may be cut and paid, -1 for others; and the loss as it is."""
-        gain, lost = mean_gain(
-            dominated, self.fires, self.alive, self.value, threads=self.threads, progress=progress
-        )
-        payable = self.free & self.alive & (self.spent + self.cost <= self.limit)
-        return np.where(payable, gain, -1.0), lost
-
-    def damage(self, cells: np.ndarray, progress: Progress) -> np.ndarray:
-        """Additional loss if each of the cut `cells` alone is left."""
-        parts = pieces(self.fires.keys.size)
-        sums = np.zeros((len(parts), cells.size))
-
-        def work(i: int) -> None:
-            reopened(
-                self.fires.limits, self.fires.keys, self.fires.grid_steps, self.fires.cells, self.alive, self.value,
-                cells, *parts[i], sums[i],
-            )  # fmt: skip
-
-        burn_pieces(work, self.fires.keys.size, self.alive.size, threads=self.threads, progress=progress)
-        total: np.ndarray = sums.sum(axis=0) / self.fires.keys.size
-        return total
-
-    def cut(self, cell: int) -> None:
-        self.alive[cell] = False
-        self.spent += float(self.cost[cell])
-
-    def leave(self, cell: int) -> None:
-        self.alive[cell] = True
-        self.spent -= float(self.cost[cell])
-
+    @property
     def cells(self) -> np.ndarray:
         """Cells that are cut."""
         return np.flatnonzero(self.free & ~self.alive)
+
+    @property
+    def left(self) -> float:
+        """Money left."""
+        return self.limit - float(self.price[self.cells].sum())
+
+    def gains(self, progress: Progress) -> tuple[np.ndarray, float]:
+        """Gain of cutting each cell that may be cut and paid, -1 for others; and the loss as it is."""
+        gain, lost = mean_gain(dominated, self.fires, self.alive, self.value, threads=self.threads, progress=progress)
+        return np.where(self.free & self.alive & (self.price <= self.left), gain, -1.0), lost
+
+    def least(self, progress: Progress) -> np.ndarray:
+        """Cells that are cut, those first whose leaving costs least for the money that it gives back."""
+        n_runs = self.fires.keys.size
+        parts = pieces(n_runs)
+        sums = np.zeros((len(parts), self.alive.size))
+        enough = float(self.value.sum()) * n_runs / len(parts)
+
+        def work(i: int) -> None:
+            reopened(
+                self.fires.limits, self.fires.leaks, self.fires.keys, self.fires.grid_steps, self.fires.cells,
+                self.alive, self.value, *parts[i], enough, sums[i],
+            )  # fmt: skip
+
+        burn_pieces(work, n_runs, self.alive.size, threads=self.threads, progress=progress)
+        cells = self.cells
+        return cells[np.argsort(sums.sum(axis=0)[cells] / self.price[cells], kind="stable")]
+
+    def spend(self, count: int, progress: Progress) -> float:
+        """Spend money left where it saves most, up to `count` cells before gains are found anew; the loss then."""
+        while True:
+            gain, lost = self.gains(progress)
+            ranked = np.argsort(-gain / self.price, kind="stable")
+            chosen = self.apart(ranked[gain[ranked] > 0.0], count)
+            chosen = chosen[np.cumsum(self.price[chosen]) <= self.left]
+            if chosen.size == 0:
+                return lost
+            self.alive[chosen] = False
+
+    def apart(self, ranked: np.ndarray, count: int) -> np.ndarray:
+        """The first `count` cells of a ranking of which no two are close together."""
+        if count == 1:
+            return ranked[:1]
+        near = np.zeros(self.shape, bool)
+        chosen: list[int] = []
+        for cell in ranked.tolist():
+            row, col = divmod(cell, self.shape[1])
+            if not near[row, col]:
+                near[max(row - _APART, 0) : row + _APART + 1, max(col - _APART, 0) : col + _APART + 1] = True
+                chosen.append(cell)
+                if len(chosen) == count:
+                    break
+        return np.array(chosen, np.int64)
 
 
 def refine(
     network: SpreadNetwork,
     setting: Setting,
-    priority: np.ndarray,
+    priority: np.ndarray | xr.DataArray,
     *,
     budget: float,
+    unit: BudgetUnit = "share",
+    residual: float = 0.0,
     moves: int = 100,
-    n_runs: int = 100,
+    n_runs: int = 200,
     seed: int = 0,
     fires: Fires | None = None,
     threads: int | None = None,
     progress: Progress,
 ) -> np.ndarray:
-    """Improve the plan of one budget by tabu search on common fires.
+    """Improve the plan of one budget by local search on common fires.
 
-    Money left over buys the cell of the largest gain. Then, again and again, one of the cells that do least is left
-    and the cell of the largest exact gain is cut instead, the best such swap even if it is worse; the best plan seen
-    counts. Breaks are taken as perfect.
+    Money left over buys the cells of the largest gain. Then many cells at once that do least are left, and the cells
+    of the largest exact gain are cut instead, next to a wall (which widens it) or anywhere; the move stands if less is
+    lost, else fewer cells are tried. Last, single cells are swapped, the best such swap even if it is worse (tabu
+    search); the best plan seen counts. The result is returned only if it loses less on other fires as well.
 
     Parameters
     ----------
     network, setting
         What is planned for.
     priority
-        (rows, cols) of any ranking.
-    budget
-        Share of the cost of all fuel.
+        (rows, cols) of any ranking; cells at -inf are not cut.
+    budget, unit
+        As in `select_breaks`.
+    residual
+        Share of its spread probability that an edge into a treated cell keeps.
     moves
-        Largest number of swaps; the search ends after a quarter as many without a better plan.
+        Largest number of moves; the search ends after a quarter as many swaps without a better plan.
     n_runs, seed
         Fires of the design; judge the plan on others.
     fires
-        Use these fires.
+        Improve on these fires, drawn for the same residual, without a check on others.
+    threads
+        Threads to use; changes the speed only.
+    progress
+        Callback (share done, message).
 
     Returns
     -------
@@ -113,61 +156,89 @@ def refine(
         (rows, cols) float64: first the cells of the improved plan in their old order, then the others. It is nested,
         but improved for this budget only.
 
+    Raises
+    ------
+    ParameterError
+        If the budget is impossible.
+
     Notes
     -----
-    Cost: about ten times 100 ns a burnt cell, fire and swap.
+    Walls of minimum cuts are already best cell by cell: on large landscapes with perfect breaks their plan comes
+    back unchanged. Cost: about ten times 100 ns a burnt cell, fire and move, and what leaving a cell burns.
     """
-    if not network.burnable.any():
-        return priority
-    fires = fires or design_fires(network, setting, n_runs=n_runs, seed=seed)
-    limit = budget * float(setting.cost.sum()) * (1 + 1e-12)
-    priority = np.where(setting.protected | ~network.burnable, -np.inf, priority)
-    plan = _Plan(network, setting, affordable(priority, setting, budget), fires, limit, threads)
-    best = (_fill(plan, progress), plan.cells())
+    plane = np.where(setting.protected | ~network.burnable, -np.inf, np.asarray(priority, dtype=np.float64))
+    before = np.asarray(
+        select_breaks(
+            network.grid.dataarray(plane, "priority"), budget=budget, unit=unit, burnable=network.burnable,
+            cost=setting.cost,
+        )
+    )  # fmt: skip
+    if not before.any():
+        return plane
+    price = setting.cost if unit == "cost" else network.burnable.astype(np.float64)
+    limit = budget if unit == "cost" else float(np.count_nonzero(before))
+    design = fires or design_fires(network, setting, n_runs=n_runs, seed=seed, residual=residual)
+    plan = _Plan(network, setting, plane > -np.inf, before, design, price, limit, threads)
+    cells = _search(plan, moves, part(progress, 0.0, 0.9))
+    after = np.zeros(network.shape, bool)
+    after.ravel()[cells] = True
+    if fires is None:
+        check = design_fires(network, setting, n_runs=n_runs, seed=seed + _CHECK, residual=residual)
+        old, new = (
+            losses(network, setting, cut, check, residual=residual, threads=threads, progress=part(progress, 0.9, 1.0))
+            for cut in (before > 0, after)
+        )
+        if new.sum() >= old.sum():
+            progress(1.0, "plan left as it is")
+            return plane
+    progress(1.0, "plan refined")
+    refined = lines_first([cells[np.argsort(-plane.ravel()[cells], kind="stable")]], setting, plane)
+    return np.where(plane > -np.inf, refined, -np.inf)
+
+
+def _search(plan: _Plan, moves: int, progress: Progress) -> np.ndarray:
+    """Cells of the best plan found."""
+    size = max(int(_FIRST * plan.cells.size), 1)
+    lost = plan.spend(-(-size // _STEPS), part(progress, 0.0, 0.0))
+    best = (lost, plan.alive.copy())
     barred: dict[int, int] = {}
     last = 0
     for move in range(moves):
-        step = part(progress, move / moves, (move + 1) / moves, f"swap {move + 1}: ")
-        lost = _swap(plan, barred, move, step)
+        step = part(progress, move / moves, (move + 1) / moves, f"move {move + 1}: ")
+        lost = _exchange(plan, size, step) if size > 1 else _swap(plan, barred, move, step)
         if lost < best[0] * (1 - 1e-12):
-            best, last = (lost, plan.cells()), move
+            best, last = (lost, plan.alive.copy()), move
+        elif size > 1:
+            plan.alive[:] = best[1]
+            size, last = size // 2, move
         if lost == np.inf or best[0] == 0.0 or move - last > max(moves // 4, 1):
             break
-    progress(1.0, "plan refined")
-    first = best[1][np.argsort(-priority.ravel()[best[1]], kind="stable")]
-    return lines_first([first], setting, priority)
+    plan.alive[:] = best[1]
+    return plan.cells
 
 
-def _fill(plan: _Plan, progress: Progress) -> float:
-    """Spend what is left where it saves most; the loss then."""
-    while True:
-        gain, lost = plan.gains(part(progress, 0.0, 0.0))
-        cell = int(np.argmax(gain / np.maximum(plan.cost, 1e-300)))
-        if gain[cell] <= 0.0:
-            return lost
-        plan.cut(cell)
+def _exchange(plan: _Plan, size: int, progress: Progress) -> float:
+    """Leave the cells that do least and spend the money anew; the loss then."""
+    plan.alive[plan.apart(plan.least(part(progress, 0.0, 0.5)), size)] = True
+    return plan.spend(-(-size // _STEPS), part(progress, 0.5, 0.5))
 
 
 def _swap(plan: _Plan, barred: dict[int, int], move: int, progress: Progress) -> float:
     """Make the best swap that is not barred; the loss then, inf if there is none."""
-    cells = plan.cells()
-    cells = cells[[barred.get(int(cell), -1) < move for cell in cells]]
-    damage = plan.damage(cells, part(progress, 0.0, 0.1))
-    saving = damage / np.maximum(plan.cost[cells], 1e-300)
+    ranked = plan.least(part(progress, 0.0, 0.1)).tolist()
+    tried = [cell for cell in ranked if barred.get(cell, -1) < move][:_TRIES]
     best = (np.inf, -1, -1)
-    tried = cells[np.argsort(saving, kind="stable")[:_TRIES]]
-    for i, cell in enumerate(tried.tolist()):
-        plan.leave(cell)
+    for i, cell in enumerate(tried):
+        plan.alive[cell] = True
         gain, lost = plan.gains(part(progress, 0.1 + 0.9 * i / _TRIES, 0.1 + 0.9 * (i + 1) / _TRIES))
         gain[cell] = -1.0
         gain[[other for other, until in barred.items() if until >= move]] = -1.0
         other = int(np.argmax(gain))
         if gain[other] > 0.0 and lost - gain[other] < best[0]:
             best = (lost - float(gain[other]), cell, other)
-        plan.cut(cell)
-    if best[1] >= 0:
-        plan.leave(best[1])
-        plan.cut(best[2])
-        barred[best[1]] = barred[best[2]] = move + _TENURE
-        return min(best[0], _fill(plan, progress))
-    return best[0]
+        plan.alive[cell] = False
+    if best[1] < 0:
+        return np.inf
+    plan.alive[best[1]], plan.alive[best[2]] = True, False
+    barred[best[1]] = barred[best[2]] = move + _TENURE
+    return min(best[0], plan.spend(1, part(progress, 1.0, 1.0)))

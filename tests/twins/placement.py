@@ -14,17 +14,20 @@ from firebreak_gis.placement.fires import Fires
 
 
 def open_graph(network: SpreadNetwork, fires: Fires, run: int) -> nx.DiGraph:
-    """Graph of the edges that are open in one run, over all cells."""
+    """Graph of the edges that are open in one run, over all cells; `leak`: open even into a cut cell."""
     rows, cols = network.shape
-    graph = nx.DiGraph()
+    graph = nx.DiGraph(leaky=fires.leaks.top.size > 0)
     graph.add_nodes_from(range(rows * cols))
     for cell in range(rows * cols):
         row, col = divmod(cell, cols)
         edges = int(open_edges(fires.keys[run], np.uint64(cell), fires.limits.top[cell], fires.limits.rest))
+        strong = 0
+        if graph.graph["leaky"]:
+            strong = int(open_edges(fires.keys[run], np.uint64(cell), fires.leaks.top[cell], fires.leaks.rest))
         for d in range(8):
             if edges >> (8 * d + 7) & 1:
                 to = (row + ROW_STEP[d]) % rows * cols + (col + COL_STEP[d]) % cols
-                graph.add_edge(cell, to, direction=d)
+                graph.add_edge(cell, to, direction=d, leak=bool(strong >> (8 * d + 7) & 1))
     return graph
 
 
@@ -34,14 +37,14 @@ def burnt(graph: nx.DiGraph, start: int, alive: np.ndarray) -> list[int]:
 
 
 def lit_by(graph: nx.DiGraph, start: int, alive: np.ndarray) -> dict[int, int]:
-    if not alive[start]:
+    if not alive[start] and not graph.graph["leaky"]:
         return {}
     parents = {start: start}
     queue = deque([start])
     while queue:
         cell = queue.popleft()
         for target in sorted(graph[cell], key=lambda t: graph[cell][t]["direction"]):
-            if alive[target] and target not in parents:
+            if target not in parents and (alive[target] or graph[cell][target]["leak"]):
                 parents[target] = cell
                 queue.append(target)
     return parents
