@@ -112,7 +112,23 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
     def processAlgorithm(  # noqa: N802
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        """Run the engine in a temporary folder and put its files in place."""
+        """Run the engine and put its files in place."""
+        try:
+            return self._process(parameters, context, feedback)
+        except EngineCancelledError:
+            feedback.pushInfo(QCoreApplication.translate("Firebreak", "Stopped; no output was written."))
+            return {}
+        except (EngineError, ArgumentsError, DestinationError, QgsProcessingException) as error:
+            failure = str(error)
+        # QGIS keeps an exception that leaves this method for good, and with it every layer that its frames hold:
+        # files would stay open, and QGIS crash at exit. So it gets a new one, and these names are given up.
+        del parameters, context, feedback
+        raise QgsProcessingException(failure)
+
+    def _process(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        """Work in a temporary folder."""
         folder = Path(tempfile.mkdtemp(prefix="firebreak-", dir=QgsProcessingUtils.tempFolder()))
         try:
             engine = settings.current_engine()  # not every release of QGIS asks `canExecute`
@@ -123,11 +139,6 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             refuse_inputs(wanted, [path for path in layers if path != "None"])
             result = self._run(engine, values, wanted, folder, feedback)
             return self._deliver(result, wanted, folder / "out", context, feedback)
-        except EngineCancelledError:
-            feedback.pushInfo(QCoreApplication.translate("Firebreak", "Stopped; no output was written."))
-            return {}
-        except (EngineError, ArgumentsError, DestinationError) as error:
-            raise QgsProcessingException(str(error)) from error
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 

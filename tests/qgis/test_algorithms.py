@@ -186,13 +186,19 @@ def test_a_crs_set_in_qgis_counts(data, layers, tmp_path):
     del file
     layer = QgsRasterLayer(str(naked), "dem")
     layer.setCrs(QgsCoordinateReferenceSystem("EPSG:4326"))
-    same = {"RESOLUTION": QUICK["RESOLUTION"]}
-    found = run("align", **{**layers, **same, "INPUT_DEM": layer}, OUTPUT_ELEVATION=str(tmp_path / "a.tif"))
-    usual = run("align", **layers, **same, OUTPUT_ELEVATION=str(tmp_path / "b.tif"))
-    assert cells(found["OUTPUT_ELEVATION"]) == cells(usual["OUTPUT_ELEVATION"])
-    layer.setCrs(QgsCoordinateReferenceSystem())
-    with pytest.raises(QgsProcessingException, match=r"coordinate reference system|CRS"):
-        run("align", **{**layers, **same, "INPUT_DEM": layer}, OUTPUT_ELEVATION=str(tmp_path / "c.tif"))
+    # QGIS 3.22 never frees an exception from an algorithm, nor the frames below it: the project must own the layer.
+    QgsProject.instance().addMapLayer(layer)
+    same = {**layers, "RESOLUTION": QUICK["RESOLUTION"]}
+    given = {**same, "INPUT_DEM": layer.id()}
+    try:
+        found = run("align", **given, OUTPUT_ELEVATION=str(tmp_path / "a.tif"))
+        usual = run("align", **same, OUTPUT_ELEVATION=str(tmp_path / "b.tif"))
+        assert cells(found["OUTPUT_ELEVATION"]) == cells(usual["OUTPUT_ELEVATION"])
+        layer.setCrs(QgsCoordinateReferenceSystem())
+        with pytest.raises(QgsProcessingException, match=r"coordinate reference system|CRS"):
+            run("align", **given, OUTPUT_ELEVATION=str(tmp_path / "c.tif"))
+    finally:
+        QgsProject.instance().clear()
 
 
 def test_extent_crs_and_density_word(layers, tmp_path):

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import shutil
 import time
+import weakref
 from pathlib import Path
 
 import pytest
@@ -16,6 +18,7 @@ from qgis.core import (
     QgsProcessingFeedback,
     QgsProcessingOutputLayerDefinition,
     QgsProject,
+    QgsRasterLayer,
     QgsSettings,
     QgsSingleBandPseudoColorRenderer,
 )
@@ -68,6 +71,26 @@ def test_outputs_are_styled_and_in_order(layers, tmp_path):
     assert isinstance(found["z frequency.tif"].renderer(), QgsSingleBandPseudoColorRenderer)
     assert found["b.gpkg"].renderer().symbol().color().blue() > 200
     project.clear()
+
+
+def test_a_refused_run_lets_its_layers_go(layers, tmp_path):
+    """A failed run in the background, as the dialog does it, holds no layer: its file can be moved or mended."""
+    layer = QgsRasterLayer(layers["INPUT_DEM"], "dem")
+    kept = weakref.ref(layer)
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("firebreak:plan")
+    context, feedback = QgsProcessingContext(), QgsProcessingFeedback(False)
+    parameters = {**layers, "INPUT_DEM": layer, "BUDGET": 1.5, "OUTPUT_BREAKS": str(tmp_path / "b.tif")}
+    task, ended = QgsProcessingAlgRunnerTask(algorithm, parameters, context, feedback), []
+    task.executed.connect(lambda ok, results: ended.append(ok))
+    QgsApplication.taskManager().addTask(task)
+    wait_until(lambda: ended, 60)
+    assert ended == [False]
+    assert "budget" in feedback.textLog()
+    del task, parameters, layer
+    for _ in range(20):  # the task manager lets the task go
+        QCoreApplication.processEvents()
+    gc.collect()
+    assert kept() is None
 
 
 @pytest.fixture
