@@ -79,7 +79,9 @@ def segments(
     * `compartment_a`, `compartment_b`: numbers as in `compartments`, a < b; both 0 for pieces that separate nothing;
     * `gain`: drop of the expected loss when the segment is built at its turn, in the unit of value, by the model of
       `compartments`; all gains and the expected loss with all breaks add up to that without breaks;
-    * `gain_share`: of the sum of gains.
+    * `gain_share`: of the sum of gains;
+    * `stage_gain_share`: that of the whole stage, the same for all its segments. Before its last segment a stage saves
+      hardly anything.
 
     Two pieces of break between the same compartments are two segments. On a torus lines end at the seam. Cost:
     linear in the cells; in the number of segments at most quadratic, with small factors.
@@ -99,12 +101,14 @@ def segments(
         position, owner, parts.labels.ravel(), parts.links, parts.ignition.ravel(), parts.value.ravel()
     )[order]  # fmt: skip
     sides = np.where(pieces.sides[order, 1:] > 0, pieces.sides[order], 0)
+    share = saved / max(float(saved.sum()), np.finfo(float).tiny)
     columns = {
         "stage": stage,
         "compartment_a": sides[:, 0],
         "compartment_b": sides[:, 1],
         "gain": saved,
-        "gain_share": saved / max(float(saved.sum()), np.finfo(float).tiny),
+        "gain_share": share,
+        "stage_gain_share": np.bincount(stage, weights=share)[stage] if stage.size else share,
         **_columns(network, owner, order, price, _slope(network, elevation)),
     }
     return _frames(network, owner, order, columns, borders)
@@ -272,7 +276,7 @@ def _frames(
     length[lined] = [line.length for line in lines]
     sizes = {"length_m": length, "width_m": columns["area_ha"] * 10_000.0 / length}
     names = ("order", "stage", "length_m", "width_m", "cells", "area_ha", "mean_slope_deg", "cost", "compartment_a",
-             "compartment_b", "gain", "gain_share")  # fmt: skip
+             "compartment_b", "gain", "gain_share", "stage_gain_share")  # fmt: skip
     table = {"order": np.arange(1, order.size + 1), **columns, **sizes}
     table = {name: table[name] for name in names}
     polygons = gpd.GeoDataFrame(

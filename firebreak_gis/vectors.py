@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -102,23 +102,49 @@ def write_vector(
     driver = DRIVERS.get(place.suffix.lower())
     if driver is None:
         raise OutputError(f"{place.name} has no known vector extension; expected one of {', '.join(DRIVERS)}")
-    if gdf.crs is None:
-        raise CRSError(
-            f"the features for {place.name} have no coordinate reference system; set one with gdf.set_crs(...)"
-        )
+    _require_crs(gdf, place.name)
     _require_closed(place)
     layer = layer or place.stem
-
-    def verify(part: Path) -> None:
-        found = _count(part, driver)
-        if found != len(gdf):
-            raise VerificationError(f"{place.name}: {len(gdf)} features were written, {found} read back")
-
-    with replacing(place, overwrite=overwrite, verify=verify, forbid=forbid) as part:
+    with replacing(place, overwrite=overwrite, verify=_verifier(place, {layer: gdf}), forbid=forbid) as part:
         if driver == "Parquet":
             _write_parquet(part, gdf)
         else:
             _write_ogr(part, gdf, driver, layer)
+    return place
+
+
+def write_layers(
+    path: str | os.PathLike[str],
+    layers: Mapping[str, gpd.GeoDataFrame],
+    *,
+    styles: Mapping[str, str] = MappingProxyType({}),
+    overwrite: bool = False,
+    forbid: Iterable[str | os.PathLike[str]] = (),
+) -> Path:
+    """Write GeoDataFrames as the layers of one GeoPackage, as `write_vector` writes one.
+
+    Parameters
+    ----------
+    path
+        Target, with the extension .gpkg.
+    layers
+        By name of the layer, each with a CRS; may be empty.
+    styles
+        Text of a QGIS style (.qml) by name of the layer; QGIS takes them up with the layers.
+    overwrite, forbid
+        As in `write_vector`.
+    """
+    place = Path(path)
+    if place.suffix.lower() != ".gpkg":
+        raise OutputError(f"{place.name} has several layers, which only .gpkg can hold; give it that extension")
+    for name, gdf in layers.items():
+        _require_crs(gdf, f"{place.name}, layer {name}")
+    _require_closed(place)
+    with replacing(place, overwrite=overwrite, verify=_verifier(place, layers), forbid=forbid) as part:
+        for name, gdf in layers.items():
+            _write_ogr(part, gdf, "GPKG", name)
+        if styles:
+            _write_styles(part, styles)
     return place
 
 
@@ -211,6 +237,23 @@ def _require_finite(frame: gpd.GeoDataFrame, where: str, target: CRS) -> None:
         raise CRSError(f"{where} has coordinates that {crs_name(target)} cannot describe; is its CRS the true one?")
 
 
+def _require_crs(gdf: gpd.GeoDataFrame, where: str) -> None:
+    if gdf.crs is None:
+        raise CRSError(f"the features for {where} have no coordinate reference system; set one with gdf.set_crs(...)")
+
+
+def _verifier(place: Path, layers: Mapping[str, gpd.GeoDataFrame]) -> Callable[[Path], None]:
+    """Counts the features of a file that was written."""
+
+    def verify(part: Path) -> None:
+        for name, gdf in layers.items():
+            found = _count(part, name)
+            if found != len(gdf):
+                raise VerificationError(f"{place.name}: {len(gdf)} features were written, {found} read back")
+
+    return verify
+
+
 def _require_closed(place: Path) -> None:
     for suffix in ("-wal", "-journal"):
         if place.with_name(place.name + suffix).exists():
@@ -258,11 +301,22 @@ def _write_parquet(part: Path, gdf: gpd.GeoDataFrame) -> None:
         raise MissingComponentError("writing .parquet needs pyarrow: pip install pyarrow (or write .gpkg)") from error
 
 
-def _count(part: Path, driver: str) -> int:
-    if driver == "Parquet":
+def _write_styles(part: Path, styles: Mapping[str, str]) -> None:
+    import pyogrio
+
+    from firebreak_gis.vector_styles import style_table
+
+    rows = style_table(dict(styles), geometry="geom", date=FIXED_DATE)
+    with _fixed_date():
+        pyogrio.write_dataframe(rows, part, layer="layer_styles", driver="GPKG")
+
+
+def _count(part: Path, layer: str) -> int:
+    if part.suffix.lower() == ".parquet":
         import geopandas as gpd
 
         return len(gpd.read_parquet(part))
     import pyogrio
 
-    return int(pyogrio.read_info(part, force_feature_count=True)["features"])
+    named = layer if part.suffix.lower() == ".gpkg" else None
+    return int(pyogrio.read_info(part, layer=named, force_feature_count=True)["features"])

@@ -29,7 +29,7 @@ from tests.twins import segments as twin
 CELL = 20.0
 PLACE = Affine(CELL, 0, 586_440.0, 0, -CELL, 3_999_900.0)
 COLUMNS = ["order", "stage", "length_m", "width_m", "cells", "area_ha", "mean_slope_deg", "cost", "compartment_a",
-           "compartment_b", "gain", "gain_share", "geometry"]  # fmt: skip
+           "compartment_b", "gain", "gain_share", "stage_gain_share", "geometry"]  # fmt: skip
 
 
 def drawn(*rows: str) -> tuple[SpreadNetwork, np.ndarray]:
@@ -89,6 +89,8 @@ def check(network: SpreadNetwork, cut: np.ndarray, **planes: np.ndarray) -> tupl
     np.testing.assert_allclose(polygons["gain"].sum() + table["expected_loss"].sum(), before["expected_loss"].sum())
     if polygons["gain"].sum() > 0:
         assert polygons["gain_share"].sum() == pytest.approx(1)
+    of_stage = polygons.groupby("stage")["gain_share"].transform("sum")
+    np.testing.assert_allclose(polygons["stage_gain_share"], of_stage, atol=1e-12)
     assert set(lines["order"]) <= set(polygons["order"])
     assert (lines["compartment_a"] < lines["compartment_b"]).all()
     np.testing.assert_allclose(lines.geometry.length, lines["length_m"])

@@ -278,6 +278,16 @@ def fires(command: F) -> F:
     return _apply(options, command)
 
 
+def ignition_map(command: F) -> F:
+    """--ignitions, a raster."""
+    return click.option(
+        "--ignitions",
+        type=kinds.RASTER,
+        metavar="RASTER",
+        help="How likely a fire starts in each cell, relative to the others [default: everywhere alike].",
+    )(command)
+
+
 def seed(command: F) -> F:
     """--seed."""
     return click.option("--seed", type=int, default=0, show_default=True, help="Seed of all draws.")(command)
