@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from firebreak_gis.vector_styles import graduated
+from firebreak_gis.vector_styles import Symbol, graduated
 from firebreak_gis.vectors import write_layers
 
 if TYPE_CHECKING:
@@ -32,12 +32,12 @@ def write_segments(
     **options
         `overwrite` and `forbid` of `vectors.write_layers`.
     """
-    styles = {
-        name: graduated(
+    def style(frame: gpd.GeoDataFrame, symbol: Symbol, label: str | None) -> str:
+        return graduated(
             frame["stage"].to_numpy(), column="stage", symbol=symbol, colours=STAGE_COLOURS, label=label
-        )
-        for name, frame, symbol, label in (("lines", lines, "line", "order"), ("polygons", polygons, "fill", None))
-    }  # fmt: skip
+        )  # fmt: skip
+
+    styles = {"lines": style(lines, "line", "order"), "polygons": style(polygons, "fill", None)}
     return write_layers(path, {"lines": lines, "polygons": polygons}, styles=styles, **options)
 
 

@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.breaks import BudgetUnit, break_polygons, cells_to_cut, removal_order, select_breaks
+from firebreak_gis.compartments import compartments
 from firebreak_gis.evaluation import evaluate, table
+from firebreak_gis.field_map import write_compartments, write_segments
 from firebreak_gis.files import require_writable, together, write_text
 from firebreak_gis.ignitions import IgnitionMode, resolve_ignitions
 from firebreak_gis.landscape import write_landscape
@@ -20,6 +22,7 @@ from firebreak_gis.network import checked_residual
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
 from firebreak_gis.rasters import write_raster
+from firebreak_gis.segments import segments
 from firebreak_gis.setting import Setting, with_barriers
 from firebreak_gis.simulation import simulate
 from firebreak_gis.spread import spread_network
@@ -74,6 +77,26 @@ class Plan:
     def polygons(self) -> gpd.GeoDataFrame:
         """Connected pieces of the breaks, see `break_polygons`."""
         return break_polygons(self.breaks, self.priority)
+
+    @property
+    def segments(self) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
+        """Middle lines and outlines of what is to be built, in order, see `segments.segments`."""
+        return segments(
+            self.network,
+            self.breaks,
+            priority=self.priority,
+            elevation=self.landscape["elevation"],
+            cost=self.setting.cost,
+            value=self.setting.value,
+            ignition=self.setting.ignition,
+        )
+
+    @property
+    def compartments(self) -> gpd.GeoDataFrame:
+        """The fuel between the breaks and what it has to lose, see `compartments.compartments`."""
+        return compartments(
+            self.network, self.breaks, value=self.setting.value, ignition=self.setting.ignition, burns=self.after
+        )[1]
 
     @property
     def fire_sizes(self) -> pd.DataFrame:
@@ -249,6 +272,8 @@ PLAN_FILES = (
     "burn_frequency.tif",
     "burn_frequency_with_breaks.tif",
     "breaks.gpkg",
+    "segments.gpkg",
+    "compartments.gpkg",
     "fire_sizes.csv",
     "evaluation.csv",
     "overview.png",
@@ -354,6 +379,8 @@ def _write_tables(result: Plan, target: Path, overwrite: bool, report: Progress)
 
     report(0.6, "breaks.gpkg")
     write_vector(target / "breaks.gpkg", result.polygons, layer="breaks", overwrite=overwrite)
+    write_segments(target / "segments.gpkg", *result.segments, overwrite=overwrite)
+    write_compartments(target / "compartments.gpkg", result.compartments, overwrite=overwrite)
     for name, frame in (("fire_sizes.csv", result.fire_sizes), ("evaluation.csv", table(result.evaluation))):
         write_text(target / name, frame.to_csv(index=False, lineterminator="\n"), overwrite=overwrite)
     report(0.7, "overview.png")
@@ -367,7 +394,7 @@ def _write_tables(result: Plan, target: Path, overwrite: bool, report: Progress)
         budget=float(result.parameters["d_f"]),
     )
     save(figure, target / "overview.png", overwrite=overwrite)
-    return [target / name for name in ("breaks.gpkg", "fire_sizes.csv", "evaluation.csv", "overview.png")]
+    return [target / name for name in PLAN_FILES if not name.endswith(".tif") and name != "run.json"]
 
 
 def _headline(result: Plan) -> str:

@@ -6,6 +6,7 @@ In a GeoPackage a style lies in the table `layer_styles`, where QGIS finds it fo
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 from xml.sax.saxutils import quoteattr
 
@@ -57,7 +58,7 @@ def graduated(
     ranges = "".join(
         f'   <range lower="{low:.9g}" upper="{high:.9g}" symbol="{k}" render="true" '
         f'label="{low:.4g} to {high:.4g}"/>\n'
-        for k, (low, high) in enumerate(zip(edges[:-1], edges[1:], strict=True))
+        for k, (low, high) in enumerate(pairwise(edges))
     )
     symbols = "".join(_symbol(k, symbol, shade) for k, shade in enumerate(shades))
     return (
@@ -112,7 +113,7 @@ def _between(colours: Sequence[str], n: int) -> list[tuple[int, ...]]:
     known = np.array([rgba(colour) for colour in colours], dtype=np.float64)
     places = np.linspace(0.0, len(known) - 1.0, n) if n > 1 else np.zeros(1)
     mixed = [np.interp(places, np.arange(len(known)), known[:, channel]) for channel in range(4)]
-    return [tuple(int(round(part)) for part in shade) for shade in zip(*mixed, strict=True)]
+    return [tuple(round(part) for part in shade) for shade in zip(*mixed, strict=True)]
 
 
 def _symbol(number: int, kind: Symbol, shade: tuple[int, ...]) -> str:

@@ -30,7 +30,7 @@ class Commands(click.Group):
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - the interface of click
         """Name every command, in the order of the work."""
         found = {m.name for m in pkgutil.iter_modules(_package_path()) if m.name not in _SUPPORT}
-        order = ["plan", "align", "network", "rank", "breaks", "burn", "evaluate"]
+        order = ["plan", "align", "network", "rank", "breaks", "segments", "burn", "evaluate"]
         return [name for name in order if name in found] + sorted(found - set(order))
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:

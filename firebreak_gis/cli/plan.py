@@ -14,6 +14,8 @@ from firebreak_gis.cli.session import Session
 OUTPUTS = {
     "breaks.tif": "Fire breaks",
     "breaks.gpkg": "Fire breaks as polygons",
+    "segments.gpkg": "Segments to build, in order",
+    "compartments.gpkg": "Compartments between the breaks",
     "priority.tif": "Cutting priority",
     "burn_frequency.tif": "Burn frequency without breaks",
     "burn_frequency_with_breaks.tif": "Burn frequency with the breaks",

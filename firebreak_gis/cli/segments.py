@@ -60,17 +60,17 @@ def command(session: Session, network: str, mask: str, output: str, **given: Any
     spread, setting = stakes.network_and_setting(read_network(network), given)
     cut = read_variable(mask, "breaks")
     session.progress(0.2, "segments")
-    weights = {"value": setting.value, "ignition": setting.ignition}
     lines, polygons = segments(
         spread,
         cut,
         priority=read_variable(given["priority"], "priority") if given["priority"] else None,
         elevation=value_plane(given["dem"], spread.grid, what="elevation", fill=float("nan")) if given["dem"] else None,
         cost=setting.cost,
-        **weights,
+        value=setting.value,
+        ignition=setting.ignition,
     )
     session.progress(0.7, "compartments")
-    _, table = compartments(spread, cut, **weights)
+    _, table = compartments(spread, cut, value=setting.value, ignition=setting.ignition)
     write_segments(output, lines, polygons, overwrite=given["overwrite"], forbid=inputs)
     if given["compartments"]:
         write_compartments(given["compartments"], table, overwrite=given["overwrite"], forbid=inputs)
