@@ -365,7 +365,9 @@ def _write_layers(
         "burn_frequency_with_breaks.tif": result.after["burn_frequency"],
     }
     report(0.0, "landscape")
-    written = write_landscape(result.landscape, target, overwrite=overwrite, provenance=tags)
+    written = write_landscape(
+        result.landscape, target, overwrite=overwrite, provenance=tags, creation_options=creation_options
+    )
     for i, (name, data) in enumerate(rasters.items()):
         report(0.2 + 0.1 * i, name)
         write_raster(target / name, data, overwrite=overwrite, provenance=tags, creation_options=creation_options)

@@ -56,6 +56,7 @@ def command(session: Session, **given: Any) -> None:
             overwrite=given["overwrite"],
             provenance=provenance(parameters),
             forbid=inputs,
+            creation_options=options.pairs(given["creation_options"], "--co"),
         )
         files.append(
             write_manifest(

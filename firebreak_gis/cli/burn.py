@@ -27,6 +27,7 @@ def command(session: Session, network: str, output: str, mask: str | None, sizes
     work alone.
     """
     from firebreak_gis.files import require_writable, together, write_text
+    from firebreak_gis.landscape.planes import ignition_source
     from firebreak_gis.manifest import provenance
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import read_variable, write_raster
@@ -42,11 +43,11 @@ def command(session: Session, network: str, output: str, mask: str | None, sizes
     fires = {key: given[key] for key in ("n_runs", "ignitions", "ignition_mode")}
     burns = simulate(
         spread,
+        **(fires | {"ignitions": ignition_source(given["ignitions"], spread.grid)}),
         breaks=read_variable(mask, "breaks") if mask else None,
         residual=given["residual"],
         seed=seed,
         progress=part(session.progress, 0.05, 0.95),
-        **fires,
     )
     tags = provenance({**fires, "breaks": mask is not None, "residual": given["residual"]}, seed=seed)
     cells = burns["fire_size"].to_numpy()

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from firebreak_gis.cli import kinds, options, stakes
-from firebreak_gis.cli.layers import recorded
+from firebreak_gis.cli.layers import checked_fires, recorded
 from firebreak_gis.cli.session import Session
 
 #: What the command writes into its folder.
@@ -69,12 +69,13 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     methods = options.methods_list(method_list)
     budgets = options.number_list(given["budgets"], "--budgets")
     residuals = options.number_list(given["residuals"], "--residuals")
-    inputs = [network, *stakes.stake_files(given)]
+    inputs = [network, *stakes.stake_files(given), *([given["ignitions"]] if given["ignitions"] else [])]
     target = make_folder(output)
     files = [target / name for name in ("comparison.csv", "comparison.png", "comparison.svg")]
     for name in (*files, target / "run.json"):
         require_writable(name, overwrite=given["overwrite"], forbid=inputs)
     spread, setting = stakes.network_and_setting(read_network(network), given)
+    fires = checked_fires(given, spread)
     priorities = {}
     for i, (label, method, params) in enumerate(methods):
         step = part(session.progress, 0.5 * i / len(methods), 0.5 * (i + 1) / len(methods), f"{label}: ")
@@ -85,10 +86,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
         budgets=budgets,
         residuals=residuals,
         value=setting.value if given["values"] else None,
-        n_runs=given["n_runs"],
-        ignitions=given["ignitions"],
-        ignition_mode=given["ignition_mode"],
-        seed=seed,
+        **fires,
         progress=part(session.progress, 0.5, 0.95),
     )
     rows = comparison_table(result)

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from firebreak_gis.cli import kinds, options
-from firebreak_gis.cli.layers import recorded
+from firebreak_gis.cli.layers import checked_fires, recorded
 from firebreak_gis.cli.session import Session
 
 #: What the command writes into its folder.
@@ -82,6 +82,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
         require_writable(name, overwrite=given["overwrite"], forbid=inputs)
     budgets = options.number_list(given["budgets"], "--budgets") if given["budgets"] else default_budgets()
     spread = read_network(network)
+    fires = checked_fires(given, spread)
     priorities = {}
     for i, (label, method, params) in enumerate(methods):
         step = part(session.progress, 0.5 * i / len(methods), 0.5 * (i + 1) / len(methods), f"{label}: ")
@@ -93,10 +94,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
         baseline=given["baseline"],
         test=given["test"],
         alpha=given["alpha"],
-        n_runs=given["n_runs"],
-        ignitions=given["ignitions"],
-        ignition_mode=given["ignition_mode"],
-        seed=seed,
+        **fires,
         progress=part(session.progress, 0.5, 0.95),
     )
     with together(target):

@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from firebreak_gis import legends, methods
+from firebreak_gis.landscape.continuity import CONTINUITY
 from firebreak_gis.schema import DENSITY
 
 
@@ -45,7 +46,7 @@ CRS = Kind("crs")
 RASTER = Kind("raster")
 RASTER_OR_NUMBER = Kind("number|raster")
 VECTOR_OR_RASTER = Kind("vector|raster")
-RASTER_OR_DENSITY = Kind("raster|choice", lambda: [word for code, word in DENSITY.items() if code > 0])
+RASTER_OR_DENSITY = Kind("raster|choice", lambda: [*(word for code, word in DENSITY.items() if code), CONTINUITY])
 LEGEND = Kind("choice|file", legends.names)
 RANKING = Kind("choice", lambda: methods.names("ranking"))
 RANKINGS = Kind("choices", lambda: methods.names("ranking"))

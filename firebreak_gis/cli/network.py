@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from firebreak_gis.cli import options
-from firebreak_gis.cli.layers import input_files
+from firebreak_gis.cli.layers import input_files, spread_params
 from firebreak_gis.cli.session import Session
 
 
@@ -24,6 +24,7 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
     N NE E SE S SW W NW.
     """
     from firebreak_gis.files import require_writable
+    from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import read_landscape_folder
     from firebreak_gis.manifest import provenance
     from firebreak_gis.rasters import write_raster
@@ -32,10 +33,11 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
     inputs = [*map(str, Path(folder).glob("*.tif")), *input_files(given)]
     require_writable(output, overwrite=given["overwrite"], forbid=inputs)
     landscape = read_landscape_folder(folder)
+    grid = Grid.of(landscape["burnable"])
     session.progress(0.2, "spread network")
-    network = spread_network(landscape, model=given["model"], **options.spread_params(given))
+    network = spread_network(landscape, model=given["model"], **spread_params(given, grid))
     session.progress(0.6, "writing")
-    tags = provenance({k: given[k] for k in ("model", "model_params", "wind_speed", "wind_from")})
+    tags = provenance({k: given[k] for k in ("model", "model_params", "wind_speed", "wind_from", "moisture")})
     write_raster(
         output,
         network.to_raster(),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import Any, TypeVar
 
 import click
@@ -130,9 +129,9 @@ def overwrite(command: F) -> F:
 
 
 def inputs(command: F) -> F:
-    """DEM VEGETATION [DENSITY]."""
+    """DEM [VEGETATION] [DENSITY]; DEM alone is a landscape file."""
     command = click.argument("density", type=kinds.RASTER_OR_DENSITY, required=False)(command)
-    command = click.argument("vegetation", type=kinds.RASTER)(command)
+    command = click.argument("vegetation", type=kinds.RASTER, required=False)(command)
     return click.argument("dem", type=kinds.RASTER)(command)
 
 
@@ -174,8 +173,8 @@ def landscape(command: F) -> F:
         click.option(
             "--src-nodata",
             multiple=True,
-            metavar="LAYER=VALUE",
-            help="Value that means no data in dem, vegetation or density; may be repeated.",
+            metavar="LAYER=VALUES",
+            help="Values that mean no data in dem, vegetation or density, e.g. dem=-9999,32767; may be repeated.",
         ),
         click.option("--bidx", multiple=True, metavar="LAYER=BAND", help="Band to read of dem, vegetation or density."),
         click.option(
@@ -186,6 +185,9 @@ def landscape(command: F) -> F:
             help="What to do with codes that the legend does not list.",
         ),
         click.option("--strict", is_flag=True, help="Refuse what would only be warned of."),
+        click.option(
+            "--remote", is_flag=True, help="Allow DEM, VEGETATION and DENSITY to be network addresses or in archives."
+        ),
         click.option(
             "--max-memory",
             metavar="SIZE",
@@ -212,7 +214,7 @@ def spread(command: F) -> F:
             metavar="M/S",
             default="0",
             show_default=True,
-            help="Wind speed, a number or a raster on the grid [m/s].",
+            help="Wind speed, a number or a raster on any grid [m/s].",
         ),
         click.option(
             "--wind-from",
@@ -221,6 +223,14 @@ def spread(command: F) -> F:
             default="0",
             show_default=True,
             help="Direction the wind comes from, clockwise from north: 270 is a west wind; a number or a raster.",
+        ),
+        click.option(
+            "--moisture",
+            type=kinds.RASTER_OR_NUMBER,
+            metavar="SHARE",
+            default="0",
+            show_default=True,
+            help="Moisture of the fine dead fuel as a share of its dry weight (8 % is 0.08): a number or a raster.",
         ),
         click.option(
             "--model-param",
@@ -387,18 +397,6 @@ def checked_seed(value: int) -> int:
     return value
 
 
-def _number_or_raster(value: Any) -> Any:
-    """Return a number as it is; read anything else as a raster."""
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        from firebreak_gis.rasters import read_raster
-
-        if not Path(str(value)).exists():
-            raise ParameterError(f"{value!r} is neither a number nor a raster that exists") from None
-        return read_raster(value)
-
-
 def byte_size(text: str | None) -> int | None:
     """Read "4GB", "800 MiB" or a number of bytes.
 
@@ -418,18 +416,3 @@ def byte_size(text: str | None) -> int | None:
     if size <= 0:
         raise ParameterError(f"--max-memory got {text!r}, expected a size such as 4GB")
     return size
-
-
-def spread_params(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Parameters of the spread model from the options, wind included where the model knows it."""
-    params = pairs(given["model_params"], "--model-param")
-    known = {p["name"] for p in methods.describe("spread", given["model"])["parameters"]}
-    for option, name in (("wind_speed", "wind_speed"), ("wind_from", "wind_from_direction")):
-        value = _number_or_raster(given[option])
-        if name in known:
-            params.setdefault(name, value)
-        elif not isinstance(value, float) or value != 0.0:
-            raise ParameterError(
-                f"the spread model {given['model']!r} knows no wind; leave --{option.replace('_', '-')} out"
-            )
-    return params

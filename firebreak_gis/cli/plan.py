@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from firebreak_gis.cli import options, stakes
-from firebreak_gis.cli.layers import input_files, read_layers, recorded
+from firebreak_gis.cli.layers import input_files, read_layers, recorded, spread_params
 from firebreak_gis.cli.session import Session
 
 #: What the command writes into its folder.
@@ -49,6 +49,7 @@ def command(session: Session, **given: Any) -> None:
     """
     from firebreak_gis.files import make_folder, require_writable
     from firebreak_gis.grid import Grid
+    from firebreak_gis.landscape.planes import ignition_source
     from firebreak_gis.pipeline import PLAN_FILES, plan, write_plan
     from firebreak_gis.progress import part
 
@@ -63,17 +64,18 @@ def command(session: Session, **given: Any) -> None:
     for name in PLAN_FILES:
         require_writable(target / name, overwrite=given["overwrite"], forbid=inputs)
     landscape = read_layers(given, session, progress=part(session.progress, 0.0, 0.1, "align: "))
+    grid = Grid.of(landscape["burnable"])
     result = plan(
         landscape,
         budget=given["budget"],
         budget_unit=given["budget_unit"],
         residual=given["residual"],
-        **stakes.read_stakes(Grid.of(landscape["burnable"]), given, landscape=landscape),
+        **stakes.read_stakes(grid, given, landscape=landscape),
         method=given["method"],
         method_params=parameters["method_params"],
         model=given["model"],
-        model_params=options.spread_params(given),
-        ignitions=given["ignitions"],
+        model_params=spread_params(given, grid),
+        ignitions=ignition_source(given["ignitions"], grid),
         ignition_mode=given["ignition_mode"],
         n_runs=given["n_runs"],
         seed=given["seed"],

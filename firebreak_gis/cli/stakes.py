@@ -84,7 +84,7 @@ def read_stakes(grid: Grid, given: Mapping[str, Any], *, landscape: xr.Dataset |
     landscape
         Needed for costs by vegetation class.
     """
-    from firebreak_gis.landscape.planes import VECTORS, mask_plane, value_plane
+    from firebreak_gis.landscape.planes import ignition_source, mask_plane, value_plane
 
     planes: dict[str, np.ndarray] = {}
     if given["barriers"]:
@@ -98,9 +98,9 @@ def read_stakes(grid: Grid, given: Mapping[str, Any], *, landscape: xr.Dataset |
         planes["cost"] = _cost(given["cost"], given["cost_field"], grid, landscape)
     if given["values"]:
         planes["value"] = value_plane(given["values"], grid, what="values", field=given["values_field"])
-    ignitions = given.get("ignitions")
-    if ignitions and Path(ignitions).suffix.lower() not in VECTORS:
-        planes["ignition"] = value_plane(ignitions, grid, what="ignitions")
+    ignitions = ignition_source(given.get("ignitions"), grid)
+    if isinstance(ignitions, np.ndarray):
+        planes["ignition"] = ignitions
     return planes
 
 

@@ -29,6 +29,7 @@ def write_landscape(
     overwrite: bool = False,
     provenance: Mapping[str, Any] | None = None,
     forbid: Iterable[str | os.PathLike[str]] = (),
+    creation_options: Mapping[str, Any] | None = None,
 ) -> list[Path]:
     """Write the layers of a landscape as elevation.tif, vegetation.tif, density.tif (and effects).
 
@@ -38,7 +39,7 @@ def write_landscape(
         From `read_landscape`.
     folder
         Made if it is missing.
-    overwrite, provenance, forbid
+    overwrite, provenance, forbid, creation_options
         As in `rasters.write_raster`; nothing is written if one of the files must not be.
 
     Returns
@@ -62,6 +63,7 @@ def write_landscape(
                 dataset[name],
                 overwrite=overwrite,
                 forbid=barred,
+                creation_options=creation_options,
                 provenance={**(provenance or {}), **(told if name == "elevation" else {})},
             )
             for name in names

@@ -10,6 +10,7 @@ import numpy as np
 
 from firebreak_gis.errors import LegendError
 from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.continuity import CONTINUITY, continuity
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.legends import Legend
 from firebreak_gis.schema import DENSITY
@@ -54,7 +55,7 @@ def fuel_of(
     codes
         Vegetation codes as floats, NaN for no data.
     cover
-        Density codes (or a quantity) likewise; the name of one class; or None.
+        Density codes (or a quantity) likewise; the name of one class; "continuity"; or None.
     legend, density_legend
         For `codes` and `cover`.
     grid
@@ -76,7 +77,9 @@ def fuel_of(
     density_effect = _effect(legend, "density_effect", index)
     if cover is not None:
         replaced = (legend.column("density_from_raster", 1)[index] == 1) | np.isnan(density)
-        if isinstance(cover, str):
+        if isinstance(cover, str) and cover == CONTINUITY:
+            given, given_effect = continuity(vegetation > 0).astype(np.float64), None
+        elif isinstance(cover, str):
             given, given_effect = np.full(grid.shape, float(_density_code(cover))), None
         else:
             where = _look_up(np.where(vegetation > 0, cover, np.nan), density_legend, "density", grid, account, unknown)

@@ -122,17 +122,63 @@ def wind_planes(speed: Source | float, from_direction: Source | float, grid: Gri
         angle = np.radians(_whole(header))
         east, north = (_aligned(header, np.asarray(f(angle)), grid, "wind direction") for f in (np.sin, np.cos))
         direction = np.degrees(np.arctan2(east, north)) % 360.0
-    for name, plane in (("wind speed", strength), ("wind direction", direction)):
-        missing = int(np.count_nonzero(~np.isfinite(plane)))
-        if missing:
-            raise InputError(f"{name} has no data on {missing} cells of the landscape; give a raster that covers it")
+    _require_whole("wind speed", strength)
+    _require_whole("wind direction", direction)
     return strength, direction
+
+
+def ignition_source(source: Source | None, grid: Grid) -> Any:
+    """Return what tells where fires start: a raster laid on the grid, anything else as it is.
+
+    Parameters
+    ----------
+    source
+        None, points (path of a vector file), or a raster of weights on any grid.
+    grid
+        The grid of the network.
+    """
+    if source is None or _is_vector(source):
+        return source
+    return value_plane(source, grid, what="ignitions")
+
+
+def moisture_plane(source: Source | float, grid: Grid) -> Any:
+    """Read the moisture of the fine dead fuel, a share of its dry weight, onto a grid.
+
+    Parameters
+    ----------
+    source
+        A number or a raster.
+    grid
+        The grid of the network.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The number, or (rows, cols) float64.
+    """
+    if (number := _number(source)) is not None:
+        return number
+    plane = value_plane(source, grid, what="moisture", fill=np.nan)
+    _require_whole("moisture", plane)
+    if plane.max() > 1:
+        raise InputError(
+            f"{source} holds moisture up to {plane.max():g}, expected shares of the dry weight (8 % is 0.08); "
+            "if it is in percent, set the scale: gdal_edit.py -scale 0.01 FILE"
+        )
+    return plane
 
 
 def _is_vector(source: Source) -> bool:
     if hasattr(source, "geometry"):
         return True
     return isinstance(source, (str, os.PathLike)) and Path(source).suffix.lower() in VECTORS
+
+
+def _require_whole(name: str, plane: Any) -> None:
+    missing = int(np.count_nonzero(~np.isfinite(plane)))
+    if missing:
+        raise InputError(f"{name} has no data on {missing} cells of the landscape; give a raster that covers it")
 
 
 def _number(value: Any) -> float | None:

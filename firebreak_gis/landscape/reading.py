@@ -8,18 +8,16 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from firebreak_gis.errors import InputError, LegendError, ParameterError
+from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid
-from firebreak_gis.landscape.alignment import plan
 from firebreak_gis.landscape.fuel import Fuel, burnable_cells, fuel_of
 from firebreak_gis.landscape.layers import codes_on, elevation_on
-from firebreak_gis.landscape.resampling import BLOCK
-from firebreak_gis.landscape.target_grid import Account, choose_grid
-from firebreak_gis.legends import Legend, read_legend
+from firebreak_gis.landscape.surveying import survey
+from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.legends import Legend
 from firebreak_gis.memory import require_memory
 from firebreak_gis.progress import Progress, silent
-from firebreak_gis.rasters import Header, header_of_array, read_header
-from firebreak_gis.schema import DENSITY, annotate
+from firebreak_gis.schema import annotate
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -27,7 +25,7 @@ if TYPE_CHECKING:
 
 def read_landscape(
     dem: str | os.PathLike[str] | xr.DataArray,
-    vegetation: str | os.PathLike[str] | xr.DataArray,
+    vegetation: str | os.PathLike[str] | xr.DataArray | None = None,
     density: str | os.PathLike[str] | xr.DataArray | None = None,
     *,
     legend: str | os.PathLike[str] | Legend = "paper",
@@ -53,12 +51,14 @@ def read_landscape(
     ----------
     dem
         Elevation: a path, or an array with CRS as rioxarray keeps it. Feet are turned into metres
-        where the file says so.
+        where the file says so. A variable of a netCDF file by name: `a.nc:height`.
     vegetation
-        Class codes that `legend` lists.
+        Class codes that `legend` lists. May be left out where `dem` is a FlamMap landscape (`.lcp`): then fuel
+        models and canopy cover are taken from it, with the legends for them.
     density
         Class codes, or a cover, that `density_legend` lists; or one class for all fuel ("sparse",
-        "normal", "dense"); may be left out where `legend` gives the densities.
+        "normal", "dense"); or "continuity", by the share of cells with fuel in the 7 x 7 cells about each (below
+        0.5 sparse, below 0.9 normal, else dense); may be left out where `legend` gives the densities.
     legend, density_legend
         Built-in name (`legends.names`), path of a CSV file, or a `Legend`.
     crs
@@ -102,85 +102,27 @@ def read_landscape(
     report = progress or silent
     if unknown not in ("refuse", "nonburnable"):
         raise ParameterError(f"unknown is {unknown!r}, expected refuse or nonburnable")
-    table, density_table = _legends(legend, density_legend, density)
-    constant = density if isinstance(density, str) and density in DENSITY.values() else None
-    sources = {"elevation": dem, "vegetation": vegetation}
-    if density is not None and constant is None:
-        sources["density"] = density
-    layers = _headers(sources, src_nodata or {}, band or {}, remote)
-    account = Account()
-    grid = choose_grid(layers, account, crs=crs, resolution=resolution, bounds=bounds, like=like)
-    require_memory(
-        memory_needed(layers, grid),
-        f"a landscape of {grid.shape[0]} x {grid.shape[1]} cells",
-        max_memory=max_memory,
-    )
+    found = survey(
+        dem, vegetation, density, legend=legend, density_legend=density_legend, crs=crs, resolution=resolution,
+        bounds=bounds, like=like, src_nodata=src_nodata, band=band, remote=remote,
+    )  # fmt: skip
+    layers, grid, account = found.layers, found.grid, found.account
+    require_memory(found.memory, f"a landscape of {grid.shape[0]} x {grid.shape[1]} cells", max_memory=max_memory)
 
     report(0.1, "elevation")
     elevation = elevation_on(layers["elevation"], grid, account, strict)
     report(0.4, "vegetation")
-    codes = codes_on(layers["vegetation"], grid, "vegetation", table, account)
+    codes = codes_on(layers["vegetation"], grid, "vegetation", found.legend, account)
     report(0.7, "density")
-    cover = codes_on(layers["density"], grid, "density", density_table, account) if "density" in layers else None
+    cover: np.ndarray | str | None = found.density
+    if "density" in layers:
+        cover = codes_on(layers["density"], grid, "density", found.density_legend, account)
     report(0.9, "legend")
-    fuel = fuel_of(codes, cover if constant is None else constant, table, density_table, grid, account, unknown)
+    fuel = fuel_of(codes, cover, found.legend, found.density_legend, grid, account, unknown)
     result = _assemble(grid, elevation, fuel, account)
-    result.attrs.update(legend=table.name, alignment=account.alignment, warnings=account.warnings)
+    result.attrs.update(legend=found.legend.name, alignment=account.alignment, warnings=account.warnings)
     report(1.0, "landscape read")
     return result
-
-
-def memory_needed(layers: Mapping[str, Header], grid: Grid) -> int:
-    """Estimate the peak memory of `read_landscape` in bytes, from the headers alone."""
-    cells = grid.shape[0] * grid.shape[1]
-    largest = 0
-    for header in layers.values():
-        how = plan(header, grid)
-        window = how.window[2] * how.window[3]
-        coordinates = 0 if how.copy else min(BLOCK, max(cells, window))
-        largest = max(largest, 28 * window + (60 if header.crs == grid.crs else 80) * coordinates)
-    # Either looking up the legends is the peak, or laying one layer is. Bytes a cell were measured.
-    return max((81 if "density" in layers else 50) * cells, 20 * cells + largest)
-
-
-def _legends(legend: Any, density_legend: Any, density: Any) -> tuple[Legend, Legend]:
-    table, density_table = read_legend(legend), read_legend(density_legend)
-    if not table.has_vegetation:
-        raise LegendError(
-            f"the legend {table.name} does not give the vegetation of every code; it may be one for densities"
-        )
-    if density is None and not table.has_density:
-        raise LegendError(
-            f"no density: the legend {table.name} gives none. Give a density raster, or one class for all "
-            f"fuel "
-            '(density="normal"), or a legend with densities (see legends.names() or firebreak legends)'
-        )
-    if not density_table.has_density:
-        raise LegendError(f"the density legend {density_table.name} does not give the density of every code")
-    return table, density_table
-
-
-def _headers(
-    sources: Mapping[str, Any], src_nodata: Mapping[str, Any], band: Mapping[str, int], remote: bool
-) -> dict[str, Header]:
-    public = {"dem": "elevation", "elevation": "elevation", "vegetation": "vegetation", "density": "density"}
-    for word, mapping in (("src_nodata", src_nodata), ("band", band)):
-        wrong = set(mapping) - set(public)
-        if wrong:
-            raise ParameterError(f"{word} names {', '.join(sorted(wrong))}, expected dem, vegetation or density")
-    nodata = {public[key]: value for key, value in src_nodata.items()}
-    bands = {public[key]: value for key, value in band.items()}
-    headers = {}
-    for name, source in sources.items():
-        if isinstance(source, str | os.PathLike):
-            headers[name] = read_header(source, band=bands.get(name), src_nodata=nodata.get(name), remote=remote)
-        else:
-            headers[name] = header_of_array(source, src_nodata=nodata.get(name))
-    if headers["elevation"].palette:
-        raise InputError(
-            f"{headers['elevation'].path} has a colour table: it is a map of classes or a picture, not elevations"
-        )
-    return headers
 
 
 def _assemble(grid: Grid, elevation: np.ndarray, fuel: Fuel, account: Account) -> xr.Dataset:

@@ -7,6 +7,7 @@ from firebreak_gis.rasters.header import (
     read_header,
     require_georeferenced,
 )
+from firebreak_gis.rasters.naming import file_of
 from firebreak_gis.rasters.reading import Cells, read_cells, read_raster, read_variable
 from firebreak_gis.rasters.writing import disk_dtype, write_raster
 
@@ -14,6 +15,7 @@ __all__ = [
     "Cells",
     "Header",
     "disk_dtype",
+    "file_of",
     "header_of_array",
     "open_raster",
     "read_cells",

@@ -5,11 +5,9 @@ from __future__ import annotations
 import contextlib
 import math
 import os
-import re
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,14 +16,14 @@ from affine import Affine
 from firebreak_gis.errors import CRSError, GridError, InputError
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.projections import horizontal, require_plausible, vertical_factor
+from firebreak_gis.rasters.naming import gdal_name, look_first, short_name
 
 if TYPE_CHECKING:
     import xarray as xr
     from pyproj import CRS
 
-#: Drivers' names for layers inside a file (`NETCDF:"a.nc":dem`), and addresses of the net or of archives.
-_SUBDATASET = re.compile(r"^[A-Za-z0-9_]{2,}:(?!//)")
-_REMOTE = re.compile(r"^(/vsi|[A-Za-z0-9+.-]{2,}://)")
+#: FlamMap landscapes write this for "no data", without declaring it.
+LCP_NODATA = -9999.0
 
 
 @dataclass(frozen=True)
@@ -115,11 +113,11 @@ def open_raster(path: str | os.PathLike[str], *, remote: bool = False) -> Iterat
     from rasterio.errors import NotGeoreferencedWarning, RasterioError
 
     name = os.fspath(path)
-    _look_first(name, remote)
+    look_first(name, remote)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", NotGeoreferencedWarning)
         try:
-            source = rasterio.open(name)
+            source = rasterio.open(gdal_name(name))
         except (RasterioError, OSError) as error:
             raise InputError(
                 f"{name} cannot be read as a raster: {_short(error, name)}; is it complete and of a format "
@@ -141,7 +139,8 @@ def read_header(
     Parameters
     ----------
     path
-        Any raster that GDAL reads; a layer inside a file as GDAL writes it, `NETCDF:"a.nc":dem`.
+        Any raster that GDAL reads; a variable of a file with several by name, `a.nc:dem`, or as GDAL writes it,
+        `NETCDF:"a.nc":dem`.
     band
         Band number from 1; needed when there are several data bands.
     src_nodata
@@ -163,6 +162,8 @@ def read_header(
         full, crs = _crs_of(source)
         flags = {flag.name for flag in source.mask_flag_enums[number - 1]}
         declared = source.nodatavals[number - 1]
+        if declared is None and source.driver == "LCP":
+            declared = LCP_NODATA
         nodata = (() if declared is None else (declared,)) if src_nodata is None else _as_tuple(src_nodata)
         usable, notes = usable_nodata(nodata, dtype)
         return Header(
@@ -176,7 +177,7 @@ def read_header(
             masked=src_nodata is None and "per_dataset" in flags,
             scale=float(source.scales[number - 1]),
             offset=float(source.offsets[number - 1]),
-            units=source.units[number - 1] or "",
+            units=source.units[number - 1] or _lcp_unit(source, number),
             vertical=None if full is None else vertical_factor(full),
             palette=source.colorinterp[number - 1].name == "palette",
             located_by=_located_by(source),
@@ -272,41 +273,9 @@ def _as_tuple(value: float | Sequence[float]) -> tuple[float, ...]:
     return tuple(float(v) for v in value) if isinstance(value, Sequence) else (float(value),)
 
 
-def _look_first(name: str, remote: bool) -> None:
-    """Answer what GDAL would answer badly: addresses, folders, missing, empty and text files."""
-    if _REMOTE.match(name):
-        if not remote:
-            raise InputError(
-                f"{name} is a network or archive address; download or unpack it first (or allow it: --remote)"
-            )
-        return
-    if _SUBDATASET.match(name):
-        return
-    path = Path(name)
-    try:
-        if path.is_dir():
-            raise InputError(f"{name} is a folder, expected a raster file in it")
-        if not path.exists():
-            raise InputError(f"{name} does not exist; check the name and the folder {path.absolute().parent}")
-        with path.open("rb") as stream:
-            start = stream.read(512)
-    except OSError as error:
-        raise InputError(f"{name} cannot be opened: {error.strerror or error}") from error
-    if not start:
-        raise InputError(f"{name} is empty (0 bytes); copy or export it again")
-    if start.startswith(b"version https://git-lfs"):
-        raise InputError(f"{name} is a Git LFS pointer, a text in place of the file; fetch it with: git lfs pull")
-    if b"<VRTDataset" in start and path.suffix.lower() != ".vrt":
-        raise InputError(f"{name} is a virtual raster (VRT) under another name; name it .vrt if that is what you mean")
-    if start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") and path.suffix.lower() != ".vrt":
-        raise InputError(
-            f"{name} is an XML or HTML text, not a raster; was it downloaded from a page that asks to log in?"
-        )
-
-
 def _choose_band(source: Any, name: str, band: int | None) -> int:
     if source.count == 0 or (source.subdatasets and band is None):
-        inside = ", ".join(source.subdatasets[:4]) or "nothing"
+        inside = ", ".join(short_name(text) for text in source.subdatasets[:4]) or "nothing"
         raise InputError(f"{name} holds several rasters, choose one by its full name: {inside}")
     if band is not None:
         if not 1 <= band <= source.count:
@@ -330,6 +299,11 @@ def _crs_of(source: Any) -> tuple[CRS | None, CRS | None]:
     # GeoTIFF keeps the code, not the text; taking the text of the code makes equal systems compare equal.
     epsg = flat.to_epsg(min_confidence=100)
     return full, parse_crs(epsg) if epsg else flat
+
+
+def _lcp_unit(source: Any, band: int) -> str:
+    """Unit of the elevation in a FlamMap landscape, which keeps it among the metadata; else ""."""
+    return str(source.tags(band).get("ELEVATION_UNIT_NAME", "")) if source.driver == "LCP" else ""
 
 
 def _located_by(source: Any) -> str:

@@ -191,6 +191,7 @@ LABELS: Mapping[str, str] = {
     "model": "Spread model",
     "wind_speed": "Wind speed [m/s]",
     "wind_from": "Wind from [degrees clockwise from north]",
+    "moisture": "Moisture of the fine dead fuel (8 % is 0.08)",
     "n_runs": "Number of fires",
     "ignitions": "Ignition points",
     "ignition_mode": "Use of the ignition points",
@@ -203,6 +204,7 @@ LABELS: Mapping[str, str] = {
     "bidx": "Bands, such as dem=1; vegetation=2",
     "unknown": "Codes that the legend does not list",
     "strict": "Refuse what would only be warned of",
+    "remote": "Allow network addresses and archives",
     "max_memory": "Most memory to use, such as 4GB",
     "creation_options": "Creation options, such as COMPRESS=ZSTD",
     "alpha": "Significance threshold",
@@ -221,10 +223,11 @@ RANGES: Mapping[str, tuple[float | None, float | None]] = {
     "resolution": (0.0, None),
     "wind_speed": (0.0, None),
     "wind_from": (0.0, 360.0),
+    "moisture": (0.0, 1.0),
 }
 
 #: Parameters of methods that an option of the same meaning sets.
-SET_BY_OPTION = frozenset({"wind_speed", "wind_from_direction"})
+SET_BY_OPTION = frozenset({"wind_speed", "wind_from_direction", "moisture"})
 
 #: Which option takes the parameters of the method that another option chooses, and the kind of method.
 METHOD_OPTIONS: Mapping[str, tuple[str, str]] = {

@@ -1,0 +1,168 @@
+"""What can be known of a landscape before any value is read: layers, legends, grid, memory."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from firebreak_gis.errors import InputError, LegendError, ParameterError
+from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.alignment import plan
+from firebreak_gis.landscape.continuity import CONTINUITY
+from firebreak_gis.landscape.flammap import LandscapeFile, read_landscape_file
+from firebreak_gis.landscape.resampling import BLOCK
+from firebreak_gis.landscape.target_grid import Account, choose_grid
+from firebreak_gis.legends import Legend, read_legend
+from firebreak_gis.rasters import Header, header_of_array, read_header
+from firebreak_gis.schema import DENSITY
+
+#: The legends where nothing else is said, and for the canopy cover of a landscape file.
+USUAL, USUAL_DENSITY, CANOPY = "paper", "density", "canopy_cover"
+
+
+@dataclass(frozen=True)
+class Survey:
+    """A landscape as far as headers tell.
+
+    Parameters
+    ----------
+    layers
+        Header by name: "elevation", "vegetation" and perhaps "density".
+    grid
+        On which they will be laid.
+    legend, density_legend
+        For the codes.
+    density
+        Word in place of a density raster, or None.
+    account
+        What was decided, in words; more is added as the layers are read.
+    """
+
+    layers: Mapping[str, Header]
+    grid: Grid
+    legend: Legend
+    density_legend: Legend
+    density: str | None
+    account: Account
+
+    @property
+    def memory(self) -> int:
+        """Estimated peak of reading it, bytes."""
+        return memory_needed(self.layers, self.grid)
+
+
+def survey(
+    dem: Any,
+    vegetation: Any = None,
+    density: Any = None,
+    *,
+    legend: Any = USUAL,
+    density_legend: Any = USUAL_DENSITY,
+    crs: Any = None,
+    resolution: float | None = None,
+    bounds: tuple[float, float, float, float] | None = None,
+    like: Any = None,
+    src_nodata: Mapping[str, Any] | None = None,
+    band: Mapping[str, int] | None = None,
+    remote: bool = False,
+) -> Survey:
+    """Read headers and legends and choose the grid; parameters as in `read_landscape`.
+
+    Raises
+    ------
+    InputError, ParameterError
+        As `read_landscape`, for all that can be known without reading a value.
+    """
+    account = Account()
+    band = dict(band or {})
+    if vegetation is None:
+        found = read_landscape_file(dem, remote=remote)
+        vegetation = dem
+        density, legend, density_legend = _of_file(found, dem, density, legend, density_legend, band, account)
+    table, density_table = _legends(legend, density_legend, density)
+    word = density if isinstance(density, str) and density in (*DENSITY.values(), CONTINUITY) else None
+    sources = {"elevation": dem, "vegetation": vegetation}
+    if density is not None and word is None:
+        sources["density"] = density
+    layers = _headers(sources, src_nodata or {}, band, remote)
+    grid = choose_grid(layers, account, crs=crs, resolution=resolution, bounds=bounds, like=like)
+    return Survey(layers, grid, table, density_table, word, account)
+
+
+def memory_needed(layers: Mapping[str, Header], grid: Grid) -> int:
+    """Estimate the peak memory of `read_landscape` in bytes, from the headers alone."""
+    cells = grid.shape[0] * grid.shape[1]
+    largest = 0
+    for header in layers.values():
+        how = plan(header, grid)
+        window = how.window[2] * how.window[3]
+        coordinates = 0 if how.copy else min(BLOCK, max(cells, window))
+        largest = max(largest, 28 * window + (60 if header.crs == grid.crs else 80) * coordinates)
+    # Either looking up the legends is the peak, or laying one layer is. Bytes a cell were measured.
+    return max((81 if "density" in layers else 50) * cells, 20 * cells + largest)
+
+
+def _legends(legend: Any, density_legend: Any, density: Any) -> tuple[Legend, Legend]:
+    table, density_table = read_legend(legend), read_legend(density_legend)
+    if not table.has_vegetation:
+        raise LegendError(
+            f"the legend {table.name} does not give the vegetation of every code; it may be one for densities"
+        )
+    if density is None and not table.has_density:
+        raise LegendError(
+            f"no density: the legend {table.name} gives none. Give a density raster, or one class for all fuel "
+            "(density=\"normal\"), or density=\"continuity\", or a legend with densities (see legends.names() or "
+            "firebreak legends)"
+        )
+    if not density_table.has_density:
+        raise LegendError(f"the density legend {density_table.name} does not give the density of every code")
+    return table, density_table
+
+
+def _headers(
+    sources: Mapping[str, Any], src_nodata: Mapping[str, Any], band: Mapping[str, int], remote: bool
+) -> dict[str, Header]:
+    public = {"dem": "elevation", "elevation": "elevation", "vegetation": "vegetation", "density": "density"}
+    for word, mapping in (("src_nodata", src_nodata), ("band", band)):
+        wrong = set(mapping) - set(public)
+        if wrong:
+            raise ParameterError(f"{word} names {', '.join(sorted(wrong))}, expected dem, vegetation or density")
+    nodata = {public[key]: value for key, value in src_nodata.items()}
+    bands = {public[key]: value for key, value in band.items()}
+    headers = {}
+    for name, source in sources.items():
+        if isinstance(source, str | os.PathLike):
+            headers[name] = read_header(source, band=bands.get(name), src_nodata=nodata.get(name), remote=remote)
+        else:
+            headers[name] = header_of_array(source, src_nodata=nodata.get(name))
+    if headers["elevation"].palette:
+        raise InputError(
+            f"{headers['elevation'].path} has a colour table: it is a map of classes or a picture, not elevations"
+        )
+    return headers
+
+
+def _of_file(
+    found: LandscapeFile,
+    path: Any,
+    density: Any,
+    legend: Any,
+    density_legend: Any,
+    band: dict[str, int],
+    account: Account,
+) -> tuple[Any, Any, Any]:
+    """Fill in bands, density and legends from a landscape file where the user gave none."""
+    for layer, number in found.bands.items():
+        band.setdefault("dem" if layer == "elevation" else layer, number)
+    legend = found.legend if legend == USUAL else legend
+    told = f"landscape file: elevation in band {band['dem']}, fuel models in band {band['vegetation']}"
+    if density is None and "density" in found.bands:
+        density = path
+        density_legend = CANOPY if density_legend == USUAL_DENSITY else density_legend
+        told += f", canopy cover in band {band['density']}"
+    else:
+        band.pop("density", None)
+    account.alignment.append(f"{told}; legend {read_legend(legend).name}")
+    return density, legend, density_legend
