@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,13 +12,14 @@ import numpy as np
 
 from firebreak_gis.breaks import BudgetUnit, break_polygons, cells_to_cut, removal_order, select_breaks
 from firebreak_gis.compartments import compartments
+from firebreak_gis.design import design
 from firebreak_gis.evaluation import evaluate, table
+from firebreak_gis.feasibility import Feasibility, feasibility, width_in_cells
 from firebreak_gis.field_map import write_compartments, write_segments
 from firebreak_gis.files import require_writable, together, write_text
 from firebreak_gis.ignitions import IgnitionMode, resolve_ignitions
 from firebreak_gis.landscape import write_landscape
 from firebreak_gis.manifest import provenance, write_manifest
-from firebreak_gis.network import checked_residual
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
 from firebreak_gis.rasters import write_raster
@@ -61,6 +62,8 @@ class Plan:
         R(d_f) of the ranking and the baselines, as `evaluate` returns it.
     parameters
         What was asked for.
+    feasibility
+        What could be reached.
     """
 
     landscape: xr.Dataset
@@ -72,6 +75,7 @@ class Plan:
     after: xr.Dataset
     evaluation: xr.Dataset
     parameters: Mapping[str, Any]
+    feasibility: Feasibility
 
     @property
     def polygons(self) -> gpd.GeoDataFrame:
@@ -155,12 +159,14 @@ def plan(
     protected: Plane | None = None,
     value: Plane | None = None,
     ignition: Plane | None = None,
+    width: float | None = None,
     residual: float = 0.0,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
     n_runs: int = 100,
     seed: int = 0,
     threads: int | None = None,
+    checked: Callable[[Feasibility], None] | None = None,
     progress: Progress | None = None,
 ) -> Plan:
     """Plan fire breaks on a landscape and burn it with and without them.
@@ -172,7 +178,8 @@ def plan(
     budget, budget_unit
         How much to cut: a share d_f of the cells that hold fuel, hectares, or money (`cost`), see `select_breaks`.
     method, method_params
-        Ranking and its parameters, see `rank`.
+        Ranking and its parameters, see `rank`. What the plan knows and the method asks for, such as the budget, it is
+        told, see `design.design`; what is given here wins.
     model, model_params
         Spread model and its parameters (wind), see `spread_network`.
     barriers
@@ -180,32 +187,53 @@ def plan(
     cost, protected, value, ignition
         (y, x) cost of cutting each cell, where nothing may be cut, value at risk and where fires start, see
         `setting.Setting`.
+    width
+        Least width of the breaks [m]; rounded up to whole cells.
     residual
-        Share of its spread probability that a treated cell keeps; 0 is a perfect break.
+        Share of its spread probability that a treated cell keeps; 0 is a perfect break. Methods that know it choose
+        the width of their walls for it.
     ignitions, ignition_mode, n_runs, seed, threads, progress
-        As in `simulate`.
+        As in `simulate`; without `ignitions` fires start by `ignition`. No method designs its plan with these fires.
+    checked
+        Told, before the ranking, what can be reached.
 
     Returns
     -------
     Plan
         Everything, from the network to the evaluation, which takes breaks as perfect.
+
+    Raises
+    ------
+    ParameterError, InputError
+        Before the ranking, naming everything that stands in the way, see `feasibility.feasibility`.
     """
     network = spread_network(landscape, model=model, **(model_params or {}))
     if barriers is not None:
         network = with_barriers(network, barriers)
     setting = Setting(network, cost=cost, protected=protected, value=value, ignition=ignition)
+    if ignitions is None and ignition is not None:
+        ignitions = setting.ignition
     # What cannot be is refused now, not after the ranking.
-    checked_residual(residual)
-    resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, seed=seed)
-    if budget_unit == "share":
-        cells_to_cut(budget, network.n_burnable)
-    priority = rank(
+    found = feasibility(
+        network, setting, budget=budget, unit=budget_unit, width=width, residual=residual,
+        ignitions=lambda: resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, seed=seed),
+    )  # fmt: skip
+    found.require()
+    if checked is not None:
+        checked(found)
+    priority = design(
         network,
         method,
         setting=setting,
+        budget=budget,
+        unit=budget_unit,
+        residual=residual,
+        width=width_in_cells(width, network.grid.cell_size),
+        params=method_params,
+        elevation=landscape["elevation"].to_numpy(),
+        roads=None if barriers is None else network.mask(barriers, "barriers").astype(np.float64),
         seed=seed,
         progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
-        **(method_params or {}),
     )
     breaks = select_breaks(priority, budget=budget, unit=budget_unit, burnable=network.burnable, cost=setting.cost)
     fires: dict[str, Any] = {
@@ -243,11 +271,12 @@ def plan(
         "method_params": dict(method_params or {}),
         "model": model,
         "model_params": dict(model_params or {}),
+        "width": width,
         "residual": residual,
         "n_runs": n_runs,
         "seed": seed,
     }
-    return Plan(landscape, network, setting, priority, breaks, before, after, evaluation, parameters)
+    return Plan(landscape, network, setting, priority, breaks, before, after, evaluation, parameters, found)
 
 
 def reachable(budgets: np.ndarray, priority: xr.DataArray, network: SpreadNetwork) -> np.ndarray:
@@ -331,7 +360,8 @@ def write_plan(
         account = {
             "grid": result.network.grid.describe(),
             "alignment": result.landscape.attrs.get("alignment", []),
-            "warnings": result.landscape.attrs.get("warnings", []),
+            "warnings": [*result.landscape.attrs.get("warnings", []), *result.feasibility.warnings],
+            "feasibility": result.feasibility.account,
             "summary": result.summary,
         }
         written.append(

@@ -39,6 +39,8 @@ class Setting:
         (rows, cols) float64, read-only; 0 where there is no fuel.
     protected : numpy.ndarray
         (rows, cols) bool, read-only.
+    priced : bool
+        Whether costs were given.
 
     Raises
     ------
@@ -51,6 +53,7 @@ class Setting:
     protected: np.ndarray
     value: np.ndarray
     ignition: np.ndarray
+    priced: bool
 
     def __init__(
         self,
@@ -77,6 +80,7 @@ class Setting:
             kept = np.zeros(network.shape, bool)
         if problems:
             raise InputError("the plan cannot be set up: " + "; ".join(problems))
+        object.__setattr__(self, "priced", cost is not None)
         for name, plane in (*planes.items(), ("protected", kept.copy())):
             plane.flags.writeable = False
             object.__setattr__(self, name, plane)

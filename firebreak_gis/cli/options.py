@@ -324,6 +324,17 @@ def budget(command: F) -> F:
     return _apply(options, command)
 
 
+def leaks(command: F) -> F:
+    """--width and --residual."""
+    command = click.option(
+        "--width",
+        type=float,
+        metavar="METRES",
+        help="Least width of the breaks, rounded up to whole cells [default: one cell, or the best for --residual].",
+    )(command)
+    return residual(command)
+
+
 def residual(command: F) -> F:
     """--residual."""
     return click.option(

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from firebreak_gis.cli import options, stakes
 from firebreak_gis.cli.layers import input_files, read_layers, recorded, spread_params
 from firebreak_gis.cli.session import Session
+from firebreak_gis.errors import ParameterError
+
+if TYPE_CHECKING:
+    from firebreak_gis.feasibility import Feasibility
 
 #: What the command writes into its folder.
 OUTPUTS = {
@@ -34,7 +38,7 @@ OUTPUTS = {
 @options.output_folder
 @options.budget
 @options.ranking
-@options.residual
+@options.leaks
 @stakes.stakes
 @options.fires
 @options.seed
@@ -69,6 +73,7 @@ def command(session: Session, **given: Any) -> None:
         landscape,
         budget=given["budget"],
         budget_unit=given["budget_unit"],
+        width=given["width"],
         residual=given["residual"],
         **stakes.read_stakes(grid, given, landscape=landscape),
         method=given["method"],
@@ -79,6 +84,7 @@ def command(session: Session, **given: Any) -> None:
         ignition_mode=given["ignition_mode"],
         n_runs=given["n_runs"],
         seed=given["seed"],
+        checked=lambda found: _tell(session, found, strict=given["strict"]),
         progress=part(session.progress, 0.1, 0.8),
     )
     files = write_plan(
@@ -99,3 +105,13 @@ def command(session: Session, **given: Any) -> None:
         f"{100 * summary['burnt_share_with_breaks']:.1f} % with the breaks.\n"
         f"{len(files)} files in {given['output']}; look at overview.png first.",
     )
+
+
+def _tell(session: Session, found: Feasibility, *, strict: bool) -> None:
+    """Say what the plan can reach."""
+    for sentence in found.account:
+        session.say(sentence)
+    for sentence in found.warnings:
+        session.warn(sentence)
+    if strict and found.warnings:
+        raise ParameterError("refused, as --strict asks: " + "; ".join(found.warnings))

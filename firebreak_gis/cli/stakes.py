@@ -10,7 +10,7 @@ import click
 import numpy as np
 
 from firebreak_gis.cli import kinds
-from firebreak_gis.errors import ParameterError
+from firebreak_gis.errors import FirebreakError, InputError, ParameterError
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -58,7 +58,7 @@ def stakes(command: F) -> F:
             type=kinds.VECTOR_OR_RASTER,
             metavar="PATH",
             help="Values at risk per cell (raster), or polygons with --values-field, "
-            "whose number counts for each cell inside [default: 1 everywhere].",
+            "whose number counts for each cell inside [default: 1 on fuel].",
         ),
         click.option("--values-field", metavar="NAME", help="Column of the value polygons."),
     ]
@@ -83,25 +83,38 @@ def read_stakes(grid: Grid, given: Mapping[str, Any], *, landscape: xr.Dataset |
         Options of the command.
     landscape
         Needed for costs by vegetation class.
+
+    Raises
+    ------
+    ParameterError, InputError
+        Naming everything that cannot be read.
     """
+    from firebreak_gis.feasibility import raise_together
     from firebreak_gis.landscape.planes import ignition_source, mask_plane, value_plane
 
+    readers: dict[str, Callable[[str], Any]] = {
+        "barriers": lambda source: mask_plane(source, grid, what="barriers"),
+        "protected": lambda source: mask_plane(source, grid, what="protected"),
+        "allowed": lambda source: mask_plane(source, grid, what="allowed"),
+        "cost": lambda source: _cost(source, given["cost_field"], grid, landscape),
+        "values": lambda source: value_plane(source, grid, what="values", field=given["values_field"]),
+        "ignitions": lambda source: ignition_source(source, grid),
+    }
     planes: dict[str, np.ndarray] = {}
-    if given["barriers"]:
-        planes["barriers"] = mask_plane(given["barriers"], grid, what="barriers")
-    if given["protected"]:
-        planes["protected"] = mask_plane(given["protected"], grid, what="protected")
-    if given["allowed"]:
-        outside = ~mask_plane(given["allowed"], grid, what="allowed")
-        planes["protected"] = planes.get("protected", np.False_) | outside
-    if given["cost"]:
-        planes["cost"] = _cost(given["cost"], given["cost_field"], grid, landscape)
-    if given["values"]:
-        planes["value"] = value_plane(given["values"], grid, what="values", field=given["values_field"])
-    ignitions = ignition_source(given.get("ignitions"), grid)
-    if isinstance(ignitions, np.ndarray):
-        planes["ignition"] = ignitions
-    return planes
+    problems: list[FirebreakError] = []
+    for name, read in readers.items():
+        source = given.get(name)
+        if source:
+            try:
+                planes[name] = read(str(source))
+            except (ParameterError, InputError) as error:
+                problems.append(error)
+    raise_together(problems)
+    if not isinstance(planes.get("ignitions"), np.ndarray):  # points only say where the simulated fires start
+        planes.pop("ignitions", None)
+    if "allowed" in planes:
+        planes["protected"] = planes.get("protected", np.False_) | ~planes.pop("allowed")
+    return {{"values": "value", "ignitions": "ignition"}.get(name, name): plane for name, plane in planes.items()}
 
 
 def network_and_setting(network: SpreadNetwork, given: Mapping[str, Any]) -> tuple[SpreadNetwork, Setting]:

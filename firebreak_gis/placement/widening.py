@@ -114,6 +114,7 @@ def best_width(
     *,
     budget: float,
     residual: float,
+    narrowest: int = 1,
     widest: int = 6,
     n_runs: int = 300,
     seed: int,
@@ -122,7 +123,7 @@ def best_width(
 ) -> tuple[int, np.ndarray]:
     """Find the width that loses least value in simulated fires.
 
-    Widths are tried from 1 up until two in a row are worse than the best.
+    Widths are tried from the narrowest up until two in a row are worse than the best.
 
     Parameters
     ----------
@@ -132,8 +133,8 @@ def best_width(
         Share of the cost of all fuel for which the width is chosen.
     residual
         Share of its spread probability that an edge into a treated cell keeps.
-    widest
-        Largest width tried.
+    narrowest, widest
+        Smallest and largest width tried; the largest is at least the smallest.
     n_runs, seed
         Fires of the design.
 
@@ -143,10 +144,11 @@ def best_width(
         The width and its priority.
     """
     fires = design_fires(network, setting, n_runs=n_runs, seed=seed)
-    best = (np.inf, 1, np.zeros(network.shape))
+    best = (np.inf, narrowest, np.zeros(network.shape))
     worse = 0
-    for width in range(1, widest + 1):
-        step = part(progress, (width - 1) / widest, width / widest, f"walls of {width} cells: ")
+    widths = range(narrowest, max(widest, narrowest) + 1)
+    for i, width in enumerate(widths):
+        step = part(progress, i / len(widths), (i + 1) / len(widths), f"walls of {width} cells: ")
         priority = planner(width, part(step, 0.0, 0.7))
         cut = affordable(priority, setting, budget)
         lost = float(losses(

@@ -41,9 +41,12 @@ class Params:
     directions: int = parameter(8, text="directions in which walls are sought", minimum=1, maximum=64)
     smallest: int = parameter(16, text="compartments of fewer cells are not split", units="cells", minimum=2)
     width: int = parameter(
-        0, text="width of the walls; 0: the best for the residual and budget by simulated fires, 1 without residual",
+        0, text="width of the walls; 0: the best for the residual and budget by simulated fires, the least if perfect",
         units="cells", minimum=0, maximum=100,
     )  # fmt: skip
+    least_width: int = parameter(
+        1, text="width of the walls at least, where it is not given", units="cells", minimum=1, maximum=100
+    )
     residual: float = parameter(
         0.0, text="spread probability that a treated cell keeps, for which the width is chosen", minimum=0.0,
         maximum=1.0,
@@ -62,10 +65,10 @@ def rank(
 
     def standard(network: SpreadNetwork, setting: Setting, turn: object) -> np.ndarray:
         if params.width > 0 or params.residual == 0.0 or not network.burnable.any():
-            return _walls_first(network, params, setting, max(params.width, 1), progress)
+            return _walls_first(network, params, setting, params.width or params.least_width, progress)
         return best_width(
             network, setting, lambda width, step: _walls_first(network, params, setting, width, step),
-            budget=params.budget, residual=params.residual, seed=seed, progress=progress,
+            narrowest=params.least_width, budget=params.budget, residual=params.residual, seed=seed, progress=progress,
         )[1]  # fmt: skip
 
     return in_standard_orientation(network, setting, standard)

@@ -1,0 +1,121 @@
+"""A ranking for one plan: the method is told the budget, the leak, the width and the terrain of the plan."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis import methods
+from firebreak_gis.breaks import removal_order
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.placement.thickening import thickened
+from firebreak_gis.ranking import rank
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from firebreak_gis.breaks import BudgetUnit
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.progress import Progress
+    from firebreak_gis.setting import Setting
+
+
+def design(
+    network: SpreadNetwork,
+    method: str,
+    *,
+    setting: Setting,
+    budget: float,
+    unit: BudgetUnit = "share",
+    residual: float = 0.0,
+    width: int = 1,
+    params: Mapping[str, Any] | None = None,
+    elevation: np.ndarray | None = None,
+    roads: np.ndarray | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> xr.DataArray:
+    """Rank the cells for a plan of one budget, leak and width.
+
+    Parameters
+    ----------
+    network, method, setting, seed, progress
+        As in `ranking.rank`.
+    budget, unit
+        Of the plan, see `breaks.select_breaks`.
+    residual
+        Share of its spread probability that a treated cell keeps.
+    width
+        Least width of the breaks, cells. A method that makes walls or bands is asked for it; under any other each
+        cell brings the square around it along, see `placement.thickening`.
+    params
+        Parameters of the method; they win over what the plan tells.
+    elevation, roads
+        (rows, cols), for methods that follow ridges and roads.
+
+    Returns
+    -------
+    xarray.DataArray
+        `priority` (y, x) float64, as `ranking.rank` returns it.
+
+    Raises
+    ------
+    ParameterError
+        As `ranking.rank`, or if the parameters ask for less than `width`.
+    """
+    given = dict(params or {})
+    told = plan_params(
+        method, given, share=cost_share(network, setting, budget, unit), residual=residual, width=width,
+        elevation=elevation, roads=roads,
+    )  # fmt: skip
+    priority = rank(network, method, setting=setting, seed=seed, progress=progress, **{**told, **given})
+    if width > 1 and not _wide_by_itself(method):
+        wide = thickened(removal_order(priority), network, setting, width)
+        priority = priority.copy(data=wide)
+    return priority
+
+
+def cost_share(network: SpreadNetwork, setting: Setting, budget: float, unit: BudgetUnit) -> float:
+    """Share of the cost of all fuel that a budget is about; a budget in cells or hectares is taken at the mean cost."""
+    if unit == "share":
+        return float(budget)
+    total = float(setting.cost.sum()) if unit == "cost" else network.n_burnable * network.grid.cell_area_ha
+    return min(1.0, float(budget) / total) if total > 0 else 1.0
+
+
+def plan_params(
+    method: str, given: Mapping[str, Any], *, share: float, residual: float, width: int,
+    elevation: np.ndarray | None = None, roads: np.ndarray | None = None,
+) -> dict[str, Any]:  # fmt: skip
+    """Parameters that a plan tells a method which has them; those that are given are left out.
+
+    Raises
+    ------
+    ParameterError
+        If a given width is less than `width`.
+    """
+    known = {p["name"]: p for p in methods.describe("ranking", method)["parameters"]}
+    told: dict[str, Any] = {"residual": residual, "elevation": elevation, "roads": roads}
+    if "budget" in known:
+        told["budget"] = max(share, known["budget"].get("minimum", 0.0))
+    if "least_width" in known:
+        told["least_width"] = width
+    elif _wide_by_itself(method):
+        told["width"] = max(width, known["width"]["default"])
+    asked = given.get("width")
+    if "width" in known and asked is not None and 0 < float(asked) < width:
+        raise ParameterError(
+            f"{method} is asked for a width of {asked} cells, but the breaks must be at least {width} cells wide; "
+            "leave one of the two out"
+        )
+    return {k: v for k, v in told.items() if k in known and k not in given and v is not None}
+
+
+def _wide_by_itself(method: str) -> bool:
+    """Whether the method makes walls or bands of a width in cells."""
+    return any(
+        p["name"] in ("width", "least_width") and p.get("units") == "cells"
+        for p in methods.describe("ranking", method)["parameters"]
+    )
