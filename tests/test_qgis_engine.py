@@ -333,6 +333,12 @@ def test_two_answers_to_one_question_are_refused():
         _plan(INPUT_DENSITY="x.tif", DENSITY="dense")
 
 
+def test_an_argument_cannot_be_left_out_before_another():
+    with pytest.raises(arguments.ArgumentsError, match="INPUT_DENSITY needs INPUT_VEGETATION"):
+        _plan(INPUT_VEGETATION=None, INPUT_DENSITY="x.tif")
+    assert _plan(INPUT_VEGETATION=None)[-1] == "d.tif"
+
+
 def test_several_values_and_switches():
     words = _plan(SRC_NODATA="dem=-1; vegetation=255", STRICT=True, BOUNDS=(1.0, 2.5, 3.0, 4.0))
     assert _option(words, "--src-nodata") == ["dem=-1", "vegetation=255"]

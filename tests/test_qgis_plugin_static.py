@@ -158,7 +158,9 @@ def test_forms_are_sound(description):
         assert field.parent == "" or field.parent in names
         assert field.label
         assert field.kind in ("raster", "vector") or not field.name.startswith("INPUT_")
-        assert field.help or not field.flag
+        assert field.help
+        assert "--" not in field.help, "a flag of the command line"
+        assert "firebreak " not in field.help, "a command"
         if field.choices and field.default:
             assert set(str(field.default).split(",")) <= set(field.choices)
     assert not (set(description.form.main) - options) & {
@@ -179,6 +181,53 @@ def test_the_same_word_means_the_same_everywhere():
         for field in description.fields:
             kinds.setdefault(field.name, set()).add(f"{field.kind} {field.option}")
     assert {name: found for name, found in kinds.items() if len(found) > 1} == {}
+
+
+def test_groups():
+    found = {}
+    for description in manifest.descriptions():
+        found.setdefault(forms.GROUPS[description.form.group], []).append(description.form.title)
+    assert found == {
+        "Prepare": ["Align landscape", "Spread network"],
+        "Plan": ["Rank cells", "Select fire breaks", "Segments to build", "Plan fire breaks"],
+        "Fire": ["Burn frequency"],
+        "Judge": ["Evaluate", "Compare"],
+    }
+
+
+#: Words of help texts that tell that a number has a unit or none.
+UNITS = re.compile(
+    r"\[.+\]|metres|hectare|share|probabilit|degrees|north|shares?|number|money|threshold|percent|cells", re.IGNORECASE
+)
+
+
+@pytest.mark.parametrize("description", manifest.descriptions(), ids=lambda d: d.form.name)
+def test_numbers_have_units(description):
+    for field in description.fields:
+        if field.kind == "number" and field.method is None:
+            assert UNITS.search(f"{field.label} {field.help}"), field.name
+
+
+def test_new_options_and_outputs_need_no_edits(monkeypatch, described):
+    """An option and a file that no table knows come out as an advanced field and a destination on demand."""
+    later = json.loads(json.dumps(described))
+    command = later["commands"]["plan"]
+    command["parameters"] += [
+        {"name": "spotting_rate", "type": "float", "default": 0.5, "flags": ["--spotting-rate"], "help": "Rate [1/h]."},
+        {"name": "mapped", "type": "new-vector", "flags": ["--mapped"], "help": "Map."},
+    ]
+    command["outputs"]["lanes.gpkg"] = "Lanes"
+    monkeypatch.setattr(manifest, "_document", lambda: later)
+    manifest.descriptions.cache_clear()
+    try:
+        plan = next(d for d in manifest.descriptions() if d.form.name == "plan")
+    finally:
+        manifest.descriptions.cache_clear()
+    field = next(f for f in plan.fields if f.option == "spotting_rate")
+    assert (field.name, field.kind, field.advanced, field.default) == ("SPOTTING_RATE", "number", True, 0.5)
+    outputs = {o.name: o for o in plan.outputs}
+    assert (outputs["OUTPUT_LANES"].kind, outputs["OUTPUT_LANES"].shown) == ("vector", False)
+    assert (outputs["OUTPUT_MAPPED"].kind, outputs["OUTPUT_MAPPED"].flag) == ("vector", "--mapped")
 
 
 def test_promised_names():
@@ -207,9 +256,8 @@ def test_metadata(metadata):
     assert metadata["qgisMaximumVersion"] == "4.99"
     assert metadata["hasProcessingProvider"] == "yes"
     assert "supportsQt6" not in metadata
-    assert re.fullmatch(r"[^@\s]+@[^@\s]+\.\w+", metadata["email"])
-    for key in ("tracker", "repository", "homepage"):
-        assert metadata[key].startswith("https://")
+    for key in ("tracker", "repository", "homepage", "email"):
+        assert "example.org" in metadata[key], "an address that only the publisher knows"
     for word in ("Make engine", "pip install firebreak_gis"):
         assert word in metadata["about"]
     assert (PLUGIN / metadata["icon"]).is_file()
@@ -250,6 +298,27 @@ def test_the_zip(builder, tmp_path, metadata):
         assert not re.search(r"(^|/)[._](?!_init__)", name), "hidden file"
         assert Path(name).suffix in {".py", ".json", ".txt", ".qml", ".ts", ".qm", "", *PICTURES}, "a binary?"
     assert path.read_bytes() == builder.build(tmp_path / "b").read_bytes()
+
+
+def test_a_release_has_real_addresses(builder, tmp_path):
+    """The plugin repository refuses others; the publisher gives them to the builder."""
+    with pytest.raises(builder.ReleaseError, match=r"--repository .* --email"):
+        builder.build(tmp_path, release=True)
+    with pytest.raises(builder.ReleaseError, match=r"give --tracker \.\.\. \("):
+        builder.build(tmp_path, {**dict.fromkeys(("repository", "homepage"), "https://forest.net/x"),
+                                 "tracker": "http://forest.net", "email": "a@forest.net"}, release=True)  # fmt: skip
+    assert list(tmp_path.iterdir()) == []
+    given = ["--repository", "https://forest.net/fire/", "--email", "a@forest.net", "--output", str(tmp_path)]
+    run = subprocess.run([sys.executable, builder.__file__, "--release", *given],
+                         capture_output=True, text=True, check=True)  # fmt: skip
+    with zipfile.ZipFile(run.stdout.strip()) as archive:
+        parser = ConfigParser(interpolation=None)
+        parser.read_string(archive.read("firebreak/metadata.txt").decode())
+        found = parser["general"]
+    assert found["tracker"] == "https://forest.net/fire/issues"
+    assert found["homepage"] == found["repository"] == "https://forest.net/fire/"
+    assert found["email"] == "a@forest.net"
+    assert "example.org" not in str(dict(found))
 
 
 @pytest.mark.parametrize("path", sorted(PLUGIN.rglob("*.svg")), ids=lambda p: p.name)

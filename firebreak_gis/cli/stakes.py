@@ -29,7 +29,7 @@ def stakes(command: F) -> F:
     options = [
         click.option(
             "--cost",
-            type=kinds.VECTOR_OR_RASTER,
+            type=kinds.COST,
             metavar="PATH",
             help="Cost of cutting per hectare: a raster, polygons with --cost-field, or "
             "(firebreak plan only) classes such as agricultural=500,shrubs=900,pines=1500.",

@@ -40,6 +40,7 @@ def command_arguments(
         If one option got two different values.
     """
     _refuse_doubles(fields, values)
+    _refuse_gaps(fields, values)
     options: list[str] = []
     positional: list[str] = []
     for field in fields:
@@ -68,6 +69,17 @@ def command_arguments(
     for flag, value in extra.items():
         (positional if not flag else options).extend([value] if not flag else [flag, value])
     return [command, *options, "--", *positional]
+
+
+def _refuse_gaps(fields: Sequence[Field], values: Mapping[str, Any]) -> None:
+    """Arguments stand in order, so that none can be left out before another."""
+    missing = None
+    for field in (f for f in fields if not f.flag):
+        given = any(values.get(f.name) not in (None, "") for f in fields if f.option == field.option)
+        if not given:
+            missing = missing or field
+        elif missing is not None:
+            raise ArgumentsError(f"{field.name} needs {missing.name} as well.")
 
 
 def _word(value: Any) -> str:

@@ -92,12 +92,27 @@ FORMS = (
         tags=("fuel break", "mask"),
     ),
     Form(
+        "segments",
+        "Segments to build",
+        "plan",
+        ("network", "mask", "priority", "dem"),
+        ("OUTPUT_SEGMENTS", "OUTPUT_COMPARTMENTS"),
+        {
+            "segments": "Segments",
+            "stages": "Stages of building",
+            "km": "Length in kilometres",
+            "compartments": "Compartments",
+        },
+        tags=("line", "stage", "compartment"),
+    ),
+    Form(
         "plan",
         "Plan fire breaks",
         "plan",
         (*_LAYERS, "budget", "method", *_WIND, *_FIRES),
         (
             "OUTPUT_BREAKS",
+            "OUTPUT_SEGMENTS",
             "OUTPUT_FREQUENCY",
             "OUTPUT_FREQUENCY_WITH_BREAKS",
             "OUTPUT_OVERVIEW",
@@ -138,6 +153,9 @@ HIDDEN = frozenset(
     {"output", "overwrite", "as_json", "progress_mode", "verbose", "quiet", "dry_run", "folder", "config"}
 )
 
+#: Fields that mean something in the forms named here only.
+ONLY_IN: Mapping[str, tuple[str, ...]] = {"COST": ("plan",)}
+
 #: Parameter names that do not follow from the option or file.
 RENAMED: Mapping[str, str] = {
     "mask": "INPUT_BREAKS",
@@ -161,6 +179,7 @@ FILES: Mapping[str, tuple[str, str]] = {
     "rank": ("priority.tif", "Cutting priority"),
     "breaks": ("breaks.tif", "Fire breaks"),
     "burn": ("burn_frequency.tif", "Burn frequency"),
+    "segments": ("segments.gpkg", "Segments to build, in order"),
 }
 
 #: Short labels; the help of each parameter is the command line's.
@@ -211,6 +230,17 @@ LABELS: Mapping[str, str] = {
     "test": "Test",
     "polygons": "Fire breaks as polygons",
     "sizes": "Fire sizes",
+    "compartments": "Compartments between the breaks",
+}
+
+#: Help for what the command line takes as arguments, which have none there.
+HELP: Mapping[str, str] = {
+    "dem": "Elevation in metres, in any CRS and cell size; or a landscape file (.lcp), which holds all layers.",
+    "vegetation": "Codes of the vegetation, explained by the legend.",
+    "density": "Codes of the density of the vegetation; without it the densities come from the legend.",
+    "network": "Eight bands with the probability that fire spreads to the N, NE, E, SE, S, SW, W and NW.",
+    "priority": "Score by which cells are cut, higher is earlier.",
+    "mask": "Cells that are cut: 1, all others 0.",
 }
 
 #: Ranges of numbers, None where open; the engine checks them again.
@@ -237,8 +267,10 @@ METHOD_OPTIONS: Mapping[str, tuple[str, str]] = {
 
 #: Outputs from the top of the map to its bottom.
 DRAWING_ORDER = (
+    "OUTPUT_SEGMENTS",
     "OUTPUT_BREAK_POLYGONS",
     "OUTPUT_BREAKS",
+    "OUTPUT_COMPARTMENTS",
     "OUTPUT_FREQUENCY_WITH_BREAKS",
     "OUTPUT_FREQUENCY",
     "OUTPUT_PRIORITY",

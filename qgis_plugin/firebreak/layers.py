@@ -64,7 +64,8 @@ class FormValues:
                 raise QgsProcessingException(self._algorithm.invalidRasterError(self._parameters, field.name))
             return None
         path = layer.source().partition("|")[0]
-        if layer.providerType() == "gdal" and _crs_of_file(layer) == layer.crs():
+        in_memory = path.startswith("/vsimem/")  # of this process, which the engine cannot see
+        if layer.providerType() == "gdal" and not in_memory and _crs_of_file(layer) == layer.crs():
             return path
         return self._exported(layer, field)
 

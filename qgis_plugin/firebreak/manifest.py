@@ -7,6 +7,7 @@ legend or a file) becomes two. Nothing here imports QGIS.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -149,6 +150,7 @@ def _description(form: forms.Form, document: dict[str, Any]) -> Description:
         elif option["name"] not in forms.HIDDEN and not option["type"].startswith("new-"):
             fields += _fields(option, form, _either(document))
     order = {name: place for place, name in enumerate(form.main)}
+    fields = [f for f in fields if form.name in forms.ONLY_IN.get(f.name, (form.name,))]
     fields.sort(key=lambda f: (f.advanced, f.method is not None, order.get(f.option, len(order))))
     kinds = {kind for option, kind in forms.METHOD_OPTIONS.values() if any(f.option == option for f in fields)}
     if any(f.kind == "choices" for f in fields):
@@ -188,7 +190,7 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
             _name(option["name"], kind, second=place > 0 or option["name"] in either),
             kind,
             label,
-            option.get("help", ""),
+            _words_of_forms(option.get("help") or forms.HELP.get(option["name"], ""), form.name),
             option["name"],
             (option.get("flags") or [""])[-1],
             required=bool(option.get("required")) and len(kinds) == 1,
@@ -202,7 +204,22 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
         )
 
 
-_ARTICLES = {"choice": "one class for all fuel", "file": "a CSV file", "text": "words"}
+_ARTICLES = {"choice": "one class for all fuel", "file": "a CSV file", "text": "classes: agricultural=500,pines=1500"}
+
+
+def _words_of_forms(text: str, form: str) -> str:
+    """Put the labels of the form in the place of flags, and leave out what points to commands."""
+    text = text.replace(f"(firebreak {form} only) ", "")
+    text = re.sub(r"(, or)? \(firebreak \w+ only\)[^.]*", "", text)
+    text = re.sub(r" \(firebreak [\w ]+\)", "", text)
+    return re.sub(r"--[a-z][a-z-]*", lambda flag: f'"{_flags().get(flag.group(), flag.group())}"', text)
+
+
+@lru_cache(maxsize=1)
+def _flags() -> dict[str, str]:
+    """Return the label of every flag."""
+    options = (option for c in _document()["commands"].values() for option in c.get("parameters", ()))
+    return {flag: _label(option["name"]) for option in options for flag in option.get("flags", ())}
 
 
 def _kind(word: str) -> str:

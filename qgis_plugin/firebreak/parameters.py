@@ -65,7 +65,7 @@ def output_parameter(output: Output) -> QgsProcessingParameterDefinition:
         return QgsProcessingParameterVectorDestination(
             output.name,
             label,
-            QgsProcessing.SourceType.TypeVectorPolygon,
+            QgsProcessing.SourceType.TypeVectorAnyGeometry,
             optional=True,
             createByDefault=output.shown,
         )

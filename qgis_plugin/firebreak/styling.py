@@ -14,6 +14,7 @@ from qgis.core import (
     QgsProcessingFeedback,
     QgsProcessingLayerPostProcessorInterface,
     QgsProject,
+    QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QTimer
 
@@ -51,13 +52,15 @@ class Styler(QgsProcessingLayerPostProcessorInterface):
         context: QgsProcessingContext,  # noqa: ARG002
         feedback: QgsProcessingFeedback,  # noqa: ARG002
     ) -> None:
-        """Load the style that lies beside the layer, or the plugin's own."""
+        """Load the plugin's own style, the one inside the layer's file, or the one beside it."""
         beside = Path(layer.source().partition("|")[0]).with_suffix(".qml")
         own = _STYLES / f"{self._output.lower()}.qml"
         style = next((path for path in (own, beside) if path.is_file()), None)
-        if style is not None:
+        if isinstance(layer, QgsVectorLayer) and style != own:
+            layer.loadDefaultStyle()  # the one inside the GeoPackage
+        elif style is not None:
             layer.loadNamedStyle(str(style))
-            layer.triggerRepaint()
+        layer.triggerRepaint()
         layer.setCustomProperty(_RUN, self._run)
         layer.setCustomProperty(_RANK, _rank_of(self._output))
         # The layer enters the tree of layers after this call.

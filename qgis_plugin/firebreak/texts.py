@@ -13,6 +13,7 @@ from .manifest import Description, Field
 
 _PICTURES = Path(__file__).with_name("pictures")
 _PICTURE_WIDTH = 220  # of the narrow help panel
+_PLACEHOLDER = "example.org"  # stands in metadata.txt until `build_zip.py --release` puts the address in
 _FILTERS = {".csv": "CSV", ".png": "PNG", ".svg": "SVG", ".html": "HTML", ".json": "JSON"}
 
 
@@ -23,10 +24,11 @@ def translated(text: str) -> str:
 
 @lru_cache(maxsize=1)
 def homepage() -> str:
-    """Return the address of the project, from the plugin's metadata."""
+    """Return the address of the project from the plugin's metadata, empty where it is not published."""
     metadata = ConfigParser(interpolation=None)
     metadata.read(Path(__file__).with_name("metadata.txt"), encoding="utf-8")
-    return metadata.get("general", "homepage", fallback="")
+    address = metadata.get("general", "homepage", fallback="")
+    return "" if _PLACEHOLDER in address else address
 
 
 def file_filter(file: str) -> str:
