@@ -38,7 +38,8 @@ def write_segments(
         )  # fmt: skip
 
     styles = {"lines": style(lines, "line", "order"), "polygons": style(polygons, "fill", None)}
-    return write_layers(path, {"lines": lines, "polygons": polygons}, styles=styles, **options)
+    kinds = {"lines": "LineString", "polygons": "MultiPolygon"}
+    return write_layers(path, {"lines": lines, "polygons": polygons}, styles=styles, kinds=kinds, **options)
 
 
 def write_compartments(path: str | os.PathLike[str], table: gpd.GeoDataFrame, **options: Any) -> Path:
@@ -57,4 +58,5 @@ def write_compartments(path: str | os.PathLike[str], table: gpd.GeoDataFrame, **
         table["expected_loss"].to_numpy(), column="expected_loss", symbol="fill", colours=LOSS_COLOURS,
         label="compartment",
     )  # fmt: skip
-    return write_layers(path, {"compartments": table}, styles={"compartments": style}, **options)
+    styles, kinds = {"compartments": style}, {"compartments": "MultiPolygon"}
+    return write_layers(path, {"compartments": table}, styles=styles, kinds=kinds, **options)

@@ -118,6 +118,7 @@ def write_layers(
     layers: Mapping[str, gpd.GeoDataFrame],
     *,
     styles: Mapping[str, str] = MappingProxyType({}),
+    kinds: Mapping[str, str] = MappingProxyType({}),
     overwrite: bool = False,
     forbid: Iterable[str | os.PathLike[str]] = (),
 ) -> Path:
@@ -131,6 +132,9 @@ def write_layers(
         By name of the layer, each with a CRS; may be empty.
     styles
         Text of a QGIS style (.qml) by name of the layer; QGIS takes them up with the layers.
+    kinds
+        Kind of geometry by name of the layer, such as "LineString", for layers that may be empty: QGIS takes an
+        empty layer of unknown kind for a table.
     overwrite, forbid
         As in `write_vector`.
     """
@@ -142,7 +146,7 @@ def write_layers(
     _require_closed(place)
     with replacing(place, overwrite=overwrite, verify=_verifier(place, layers), forbid=forbid) as part:
         for name, gdf in layers.items():
-            _write_ogr(part, gdf, "GPKG", name)
+            _write_ogr(part, gdf, "GPKG", name, kinds.get(name, "Unknown"))
         if styles:
             _write_styles(part, styles)
     return place
@@ -274,7 +278,7 @@ def _fixed_date() -> Iterator[None]:
         pyogrio.set_gdal_config_options({"OGR_CURRENT_DATE": before})
 
 
-def _write_ogr(part: Path, gdf: gpd.GeoDataFrame, driver: str, layer: str) -> None:
+def _write_ogr(part: Path, gdf: gpd.GeoDataFrame, driver: str, layer: str, kind: str = "Unknown") -> None:
     from pyogrio.errors import DataLayerError, DataSourceError, FeatureError, FieldError, GeometryError
 
     options: dict[str, Any] = {"layer": layer}
@@ -286,7 +290,7 @@ def _write_ogr(part: Path, gdf: gpd.GeoDataFrame, driver: str, layer: str) -> No
     if driver == "FlatGeobuf":
         options["SPATIAL_INDEX"] = "NO"  # the index would reorder the features
     if gdf.empty and driver != "GeoJSON":
-        options["geometry_type"] = "Unknown"
+        options["geometry_type"] = kind
     try:
         with _fixed_date():
             gdf.to_file(part, driver=driver, engine="pyogrio", index=False, **options)

@@ -107,6 +107,8 @@ def test_nothing_to_build(network, tmp_path):
     _, table = compartments(network, nothing)
     write_compartments(tmp_path / "c.gpkg", table)
     assert len(gpd.read_file(tmp_path / "c.gpkg", layer="compartments")) == len(table)
+    kinds = dict(pyogrio.list_layers(tmp_path / "s.gpkg").tolist())
+    assert (kinds["lines"], kinds["polygons"]) == ("LineString", "MultiPolygon"), "QGIS would see tables"
 
 
 def test_the_command_writes_what_a_plan_writes(make_landscape, tmp_path):

@@ -157,7 +157,7 @@ def _description(form: forms.Form, document: dict[str, Any]) -> Description:
         kinds.add("ranking")
     return Description(
         form,
-        command["help"],
+        _words_of_forms(command["help"], form.name),
         tuple(fields),
         tuple(_outputs(form, command)),
         any(o["name"] == "output" and o["type"] == "directory" for o in command["parameters"]),

@@ -72,6 +72,11 @@ def reference(data, tmp_path_factory):
     firebreak("rank", "--method", "bonacich", "-p", "beta=0.3", "-o", folder / "priority.tif", folder / "network.tif")
     firebreak("breaks", "--budget", 0.08, "--polygons", folder / "breaks.gpkg", "-o", folder / "breaks.tif",
               folder / "priority.tif")  # fmt: skip
+    firebreak("segments", "--priority", folder / "priority.tif", "--dem", dem, "--compartments",
+              folder / "compartments.gpkg", "-o", folder / "segments.gpkg", folder / "network.tif",
+              folder / "breaks.tif")  # fmt: skip
+    firebreak("compare", *runs, "--methods", "degree,random", "--budgets", "0.05,0.1", "--residuals", "0,0.1", "-o",
+              folder / "comparison", folder / "network.tif")  # fmt: skip
     firebreak("burn", *runs, "--breaks", folder / "breaks.tif", "--ignitions", data / "ignitions.gpkg", "--sizes",
               folder / "sizes.csv", "-o", folder / "burn_frequency.tif", folder / "network.tif")  # fmt: skip
     firebreak("evaluate", *runs, "--methods", "degree,random", "--budgets", "0,0.1,0.2", "-o", folder / "evaluation",

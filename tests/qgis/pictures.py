@@ -51,6 +51,7 @@ def main() -> None:
         draw("network", network)
         draw("rank", folder / "priority.tif")
         draw("breaks", plan / "breaks.tif", plan / "vegetation.tif")
+        draw("segments", plan / "segments.gpkg", plan / "breaks.tif", plan / "vegetation.tif")
         draw("plan", plan / "breaks.tif", plan / "burn_frequency_with_breaks.tif")
         draw("burn", plan / "burn_frequency.tif")
         for command, picture in (("evaluate", folder / "e/evaluation.png"), ("compare", folder / "c/comparison.png")):
@@ -72,7 +73,8 @@ def draw(name: str, *files: Path) -> None:
     for file in files:
         kind = QgsVectorLayer if file.suffix == ".gpkg" else QgsRasterLayer
         layer = kind(str(file), file.stem)
-        layer.loadNamedStyle(str(file.with_suffix(".qml")))
+        if file.with_suffix(".qml").exists():  # a GeoPackage has its style inside
+            layer.loadNamedStyle(str(file.with_suffix(".qml")))
         if not layer.isValid():
             sys.exit(f"{file} cannot be read")
         layers.append(layer)

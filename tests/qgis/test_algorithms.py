@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 from conftest import QUICK, ROOT, cells, firebreak
-from osgeo import ogr
+from osgeo import gdal, ogr
 from qgis import processing
 from qgis.core import (
     QgsApplication,
@@ -17,6 +18,7 @@ from qgis.core import (
     QgsProcessingFeatureSourceDefinition,
     QgsProcessingFeedback,
     QgsProcessingModelAlgorithm,
+    QgsProcessingParameterDefinition,
     QgsProject,
     QgsRasterLayer,
     QgsVectorLayer,
@@ -25,10 +27,10 @@ from qgis.core import (
 pytestmark = pytest.mark.usefixtures("provider")
 
 
-def features(path: object) -> list:
+def features(path: object, layer: str | int = 0) -> list:
     # A data source has to outlive its layers.
     source = ogr.Open(str(path))
-    return sorted(feature.ExportToJson() for feature in source.GetLayer(0))
+    return sorted(feature.ExportToJson() for feature in source.GetLayer(layer))
 
 
 def run(name: str, **parameters):
@@ -107,17 +109,32 @@ def test_evaluate(reference, tmp_path):
     assert "<svg" in Path(found["OUTPUT_FIGURE_SVG"]).read_text(encoding="utf-8")
 
 
-def test_compare(provider, reference, tmp_path):
-    if provider.algorithm("compare") is None:
-        pytest.skip("the command line has no compare")
-    words = {"budgets": "0.05,0.1", "residuals": "0,0.1", "runs": QUICK["N_RUNS"], "methods": "degree,random"}
-    firebreak("compare", *(w for k, v in words.items() for w in (f"--{k}", v)), "-o", tmp_path / "cli",
-              reference / "network.tif")  # fmt: skip
+def test_compare(reference, tmp_path):
     found = run("compare", INPUT_NETWORK=str(reference / "network.tif"), METHODS=["degree", "random"],
                 BUDGETS="0.05,0.1", RESIDUALS="0,0.1", N_RUNS=QUICK["N_RUNS"],
                 OUTPUT_COMPARISON=str(tmp_path / "c.csv"), OUTPUT_FIGURE=str(tmp_path / "c.png"))  # fmt: skip
-    kept = tmp_path / "cli" / "comparison.csv"
+    kept = reference / "comparison" / "comparison.csv"
     assert Path(found["OUTPUT_COMPARISON"]).read_bytes() == kept.read_bytes()
+    assert Path(found["OUTPUT_FIGURE"]).read_bytes()[:4] == b"\x89PNG"
+
+
+def test_segments(layers, reference, tmp_path):
+    given = {name: str(reference / f"{file}.tif") for name, file in
+             (("INPUT_NETWORK", "network"), ("INPUT_BREAKS", "breaks"), ("INPUT_PRIORITY", "priority"))}  # fmt: skip
+    found = run("segments", **given, INPUT_DEM=layers["INPUT_DEM"], OUTPUT_SEGMENTS=str(tmp_path / "s.gpkg"),
+                OUTPUT_COMPARTMENTS=str(tmp_path / "c.gpkg"))  # fmt: skip
+    for layer in ("lines", "polygons"):
+        assert features(found["OUTPUT_SEGMENTS"], layer) == features(reference / "segments.gpkg", layer)
+    assert features(found["OUTPUT_COMPARTMENTS"]) == features(reference / "compartments.gpkg")
+    assert found["SEGMENTS"] == len(features(reference / "segments.gpkg", "polygons")) > 0
+
+
+def test_every_algorithm_has_a_test(provider):
+    """Which are those that run it and compare with the command line."""
+    assert {a.name() for a in provider.algorithms()} == {
+        name for name in ("align", "network", "rank", "breaks", "segments", "plan", "burn", "evaluate", "compare")
+        if f'run("{name}"' in Path(__file__).read_text(encoding="utf-8") or name == "plan"
+    }  # fmt: skip
 
 
 def test_plan(data, layers, reference, tmp_path):
@@ -177,8 +194,6 @@ def test_memory_layers_and_selections(data, reference, tmp_path):
 
 def test_a_crs_set_in_qgis_counts(data, layers, tmp_path):
     """The file has no CRS, the user has set it on the layer; the engine sees the layer's."""
-    from osgeo import gdal
-
     naked = tmp_path / "naked.tif"
     gdal.Translate(str(naked), layers["INPUT_DEM"])
     file = gdal.Open(str(naked), gdal.GA_Update)
@@ -213,14 +228,39 @@ def test_extent_crs_and_density_word(layers, tmp_path):
         run("align", **given, DENSITY="dense", BOUNDS=box, OUTPUT_ELEVATION=str(tmp_path / "x.tif"))
 
 
-def test_cost_polygons_with_a_field(data, reference, tmp_path, provider):
-    names = {p.name() for p in provider.algorithm("rank").parameterDefinitions()}
-    if "INPUT_VALUES" not in names:
-        pytest.skip("the command line has no values")
-    found = run("rank", INPUT_NETWORK=str(reference / "network.tif"), METHOD="degree",
-                INPUT_PROTECTED=str(data / "villages.gpkg"), INPUT_VALUES=str(data / "villages.gpkg"),
-                VALUES_FIELD="people", OUTPUT_PRIORITY=str(tmp_path / "p.tif"))  # fmt: skip
-    assert Path(found["OUTPUT_PRIORITY"]).is_file()
+def test_what_a_planner_adds(data, reference, tmp_path):
+    """Polygons with a field, and areas, are those of the command line."""
+    villages, roads = str(data / "villages.gpkg"), str(data / "roads.gpkg")
+    firebreak("rank", "--method", "degree", "--protected", villages, "--barriers", roads, "--values", villages,
+              "--values-field", "people", "-o", tmp_path / "cli.tif", reference / "network.tif")  # fmt: skip
+    given = {"INPUT_NETWORK": str(reference / "network.tif"), "METHOD": "degree", "INPUT_BARRIERS": roads}
+    found = run("rank", **given, INPUT_PROTECTED=villages, INPUT_VALUES=villages, VALUES_FIELD="people",
+                OUTPUT_PRIORITY=str(tmp_path / "p.tif"))  # fmt: skip
+    assert cells(found["OUTPUT_PRIORITY"]) == cells(tmp_path / "cli.tif")
+    plain = run("rank", **given, OUTPUT_PRIORITY=str(tmp_path / "q.tif"))
+    assert cells(plain["OUTPUT_PRIORITY"]) != cells(found["OUTPUT_PRIORITY"])
+
+
+def test_cost_by_classes(layers, tmp_path):
+    words = "agricultural=500,shrubs=900,pines=1500"
+    runs = [run("plan", **layers, **QUICK, METHOD="degree", BUDGET=20000, BUDGET_UNIT="cost", COST=cost,
+                OUTPUT_BREAKS=str(tmp_path / f"{i}.tif"))["CELLS_CUT"]
+            for i, cost in enumerate((words, words.replace("500", "250")))]  # fmt: skip
+    assert 0 < runs[0] < runs[1]
+
+
+def test_a_raster_in_the_memory_of_qgis(layers, reference, tmp_path):
+    """The engine cannot see it, so it gets a copy."""
+    memory = "/vsimem/dem.tif"
+    gdal.Translate(memory, layers["INPUT_DEM"])
+    layer = QgsProject.instance().addMapLayer(QgsRasterLayer(memory, "dem"))
+    try:
+        found = run("align", **{**layers, "INPUT_DEM": layer.id()}, RESOLUTION=QUICK["RESOLUTION"],
+                    OUTPUT_ELEVATION=str(tmp_path / "e.tif"))  # fmt: skip
+    finally:
+        QgsProject.instance().clear()
+        gdal.Unlink(memory)
+    assert cells(found["OUTPUT_ELEVATION"]) == cells(reference / "landscape" / "elevation.tif")
 
 
 # --- refusals and stops ---------------------------------------------------------------------------------------
@@ -249,14 +289,27 @@ def test_cancel(layers, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_no_engine(layers, monkeypatch, tmp_path):
-    monkeypatch.setenv("FIREBREAK_PYTHON", str(tmp_path / "absent"))
+@pytest.mark.parametrize(
+    ("script", "words"),
+    [
+        (None, "no such file"),
+        ('echo \'{"software": "firebreak_gis", "version": "0.0.9"}\'', "0.0.9 is too old"),
+        ("echo it hurts >&2; exit 7", "broken .*it hurts"),
+    ],
+    ids=["missing", "too old", "broken"],
+)
+def test_a_bad_engine(script, words, layers, monkeypatch, tmp_path):
+    engine = tmp_path / "firebreak"
+    if script is not None:
+        engine.write_text(f"#!/bin/sh\n{script}\n")
+        engine.chmod(0o755)
+    monkeypatch.setenv("FIREBREAK_PYTHON", str(engine))
     algorithm = QgsApplication.processingRegistry().createAlgorithmById("firebreak:plan")
-    able, words = algorithm.canExecute()
+    able, told = algorithm.canExecute()
     assert not able
-    assert "no such file" in words
-    assert "Make engine" in words
-    with pytest.raises(QgsProcessingException, match="no such file"):
+    assert re.search(words, told)
+    assert "Make engine" in told
+    with pytest.raises(QgsProcessingException, match=words):
         run("plan", **layers, OUTPUT_BREAKS=str(tmp_path / "b.tif"))
 
 
@@ -267,13 +320,14 @@ def test_provider_and_forms(provider):
     assert provider.id() == "firebreak"
     assert not provider.icon().isNull()
     names = {a.name(): a for a in provider.algorithms()}
-    assert {"align", "network", "rank", "breaks", "plan", "burn", "evaluate"} <= set(names)
+    titles = {a.group() for a in names.values()}
+    assert titles == {"Prepare", "Plan", "Fire", "Judge"}
     for algorithm in names.values():
         assert not algorithm.icon().isNull()
         assert algorithm.groupId() in ("prepare", "plan", "fire", "judge")
         page = algorithm.shortHelpString()
         assert "<img" in page
-        assert algorithm.helpUrl().startswith("https://")
+        assert "example.org" not in algorithm.helpUrl(), "a placeholder"
         assert algorithm.tags()
         for definition in algorithm.parameterDefinitions():
             assert definition.description()
@@ -281,6 +335,10 @@ def test_provider_and_forms(provider):
             assert default is None or definition.checkValueIsAcceptable(default), definition.name()
         assert all(d.defaultFileExtension() in ("tif", "gpkg", "csv", "png", "svg", "json", "html")
                    for d in algorithm.destinationParameterDefinitions())  # fmt: skip
+    advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
+    folded = {d.name() for d in names["plan"].parameterDefinitions() if d.flags() & advanced}
+    assert {"CRS", "RESOLUTION", "BONACICH_BETA", "INPUT_COST", "INPUT_WIND_SPEED_RASTER"} <= folded
+    assert not {"INPUT_DEM", "INPUT_VEGETATION", "INPUT_DENSITY", "BUDGET", "METHOD", "N_RUNS", "SEED"} & folded
     method = names["plan"].parameterDefinition("METHOD")
     assert method.usesStaticStrings()
     assert "bonacich" in method.options()

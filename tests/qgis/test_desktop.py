@@ -44,7 +44,7 @@ def test_outputs_are_styled_and_in_order(layers, tmp_path):
     project.clear()
     outputs = {name: QgsProcessingOutputLayerDefinition(str(tmp_path / f"{file}"), project) for name, file in (
         ("OUTPUT_BREAKS", "a breaks.tif"), ("OUTPUT_FREQUENCY", "z frequency.tif"), ("OUTPUT_PRIORITY", "m.tif"),
-        ("OUTPUT_BREAK_POLYGONS", "b.gpkg"))}  # fmt: skip
+        ("OUTPUT_BREAK_POLYGONS", "b.gpkg"), ("OUTPUT_SEGMENTS", "s.gpkg"))}  # fmt: skip
     algorithm = QgsApplication.processingRegistry().createAlgorithmById("firebreak:plan")
     context, feedback = QgsProcessingContext(), QgsProcessingFeedback(False)
     context.setProject(project)
@@ -61,14 +61,16 @@ def test_outputs_are_styled_and_in_order(layers, tmp_path):
     assert ended[0][0]
     assert ticks > 50, "the window stood still"
     assert handleAlgorithmResults(algorithm, context, feedback, parameters=parameters)
-    wait_until(lambda: len(project.layerTreeRoot().findLayers()) == 4, 5)
+    wait_until(lambda: len(project.layerTreeRoot().findLayers()) == 5, 5)
     for _ in range(20):
         QCoreApplication.processEvents()
     sources = [Path(node.layer().source().partition("|")[0]).name for node in project.layerTreeRoot().children()]
-    assert sources == ["b.gpkg", "a breaks.tif", "z frequency.tif", "m.tif"]
+    assert sources == ["s.gpkg", "b.gpkg", "a breaks.tif", "z frequency.tif", "m.tif"]
     found = {Path(layer.source().partition("|")[0]).name: layer for layer in project.mapLayers().values()}
     assert isinstance(found["a breaks.tif"].renderer(), QgsPalettedRasterRenderer)
     assert isinstance(found["z frequency.tif"].renderer(), QgsSingleBandPseudoColorRenderer)
+    assert found["s.gpkg"].renderer().classAttribute() == "stage"
+    assert found["s.gpkg"].labelsEnabled()
     assert found["b.gpkg"].renderer().symbol().color().blue() > 200
     project.clear()
 
