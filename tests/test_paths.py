@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 
 import igraph
 import networkx as nx
@@ -242,6 +243,33 @@ def test_cancelling_stops_early():
         with pytest.raises(Cancelled):
             function(network.probability, network.burnable, progress=stop)
         assert calls == 1
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_a_batch_that_fails_ends_the_work(monkeypatch, threads):
+    """Its error comes out, and no other batch waits for the workspace that it held."""
+
+    def fails(*arguments):
+        raise MemoryError("no room")
+
+    monkeypatch.setattr(centrality, "betweenness_batch", fails)
+    monkeypatch.setattr(centrality, "distance_batch", fails)
+    monkeypatch.setattr(centrality, "_BATCH_SOURCES", 10)
+    network = SpreadNetwork(np.random.default_rng(6).random((8, 20, 31)).astype(np.float32))
+    for function in (betweenness, closeness, sampled_betweenness):
+        errors: list[BaseException] = []
+
+        def work(function=function, errors=errors):
+            try:
+                function(network.probability, network.burnable, threads=threads)
+            except MemoryError as error:
+                errors.append(error)
+
+        worker = threading.Thread(target=work, daemon=True)
+        worker.start()
+        worker.join(timeout=20)
+        assert not worker.is_alive()
+        assert [str(error) for error in errors] == ["no room"]
 
 
 def test_default_is_exact_on_small_maps_and_sampled_on_large_ones(monkeypatch):

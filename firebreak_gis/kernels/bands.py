@@ -7,21 +7,14 @@ are therefore the same bits for any number of threads. Kernels release the inter
 from __future__ import annotations
 
 import itertools
-import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from types import TracebackType
 
+from firebreak_gis.workers import thread_count
+
 #: Fewer cells than this are not worth a second thread.
 SMALL = 20_000
-
-
-def available_threads() -> int:
-    """Processors that this process may use."""
-    try:
-        return len(os.sched_getaffinity(0))
-    except AttributeError:  # not on Windows and macOS
-        return os.cpu_count() or 1
 
 
 class Bands:
@@ -32,12 +25,12 @@ class Bands:
     shape
         (rows, cols).
     threads
-        Number of threads; None: as many as the process may use, one on a small grid.
+        See `workers.thread_count`; None: one on a small grid.
     """
 
     def __init__(self, shape: tuple[int, int], threads: int | None = None) -> None:
         rows, cols = shape
-        wanted = threads or (1 if rows * cols < SMALL else available_threads())
+        wanted = 1 if threads is None and rows * cols < SMALL else thread_count(threads)
         self.threads = max(1, min(wanted, rows))
         self._edges = [rows * k // self.threads for k in range(self.threads + 1)]
         self._pool = ThreadPoolExecutor(self.threads) if self.threads > 1 else None

@@ -10,16 +10,17 @@ import math
 from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 from queue import SimpleQueue
 from typing import TypeVar
 
 import numpy as np
 
-from firebreak_gis.kernels.bands import available_threads
 from firebreak_gis.kernels.draws import stream_key, uniforms
 from firebreak_gis.kernels.paths import UNIT, Lattice, Workspace, betweenness_batch, distance_batch, lattice
 from firebreak_gis.progress import Progress, silent
+from firebreak_gis.workers import thread_count
 
 T = TypeVar("T")
 
@@ -216,7 +217,7 @@ class _Searches:
         n_cells = network.lengths.shape[0]
         self.network = network
         self.batch = max(1, min(_BATCH_SOURCES, _BATCH_CELLS // n_cells))
-        self.threads = max(1, min(threads or available_threads(), -(-network.cells.size // self.batch)))
+        self.threads = max(1, min(thread_count(threads), -(-network.cells.size // self.batch)))
         self._free: SimpleQueue[Workspace] = SimpleQueue()
         for _ in range(self.threads):
             self._free.put(Workspace(network))
@@ -234,9 +235,9 @@ class _Searches:
 
         def batch(first: int) -> np.ndarray:
             part = self._spare.pop() if self._spare else np.empty_like(total)
-            space = self._free.get()
-            betweenness_batch(sources[first : first + self.batch], *self._graph(), *space.labels, *space.counts, part)
-            self._free.put(space)
+            chosen = sources[first : first + self.batch]
+            with self._space() as space:
+                betweenness_batch(chosen, *self._graph(), *space.labels, *space.counts, part)
             return part
 
         def take(part: np.ndarray) -> None:
@@ -250,11 +251,19 @@ class _Searches:
 
         def batch(first: int) -> None:
             chosen = slice(first, first + self.batch)
-            space = self._free.get()
-            distance_batch(sources[chosen], *self._graph(), *space.labels, sums[chosen], reached[chosen])
-            self._free.put(space)
+            with self._space() as space:
+                distance_batch(sources[chosen], *self._graph(), *space.labels, sums[chosen], reached[chosen])
 
         yield from self._in_order(sources.size, batch, lambda _: None)
+
+    @contextmanager
+    def _space(self) -> Iterator[Workspace]:
+        """A workspace of the calling thread; put back whatever happens, or the other batches would wait for ever."""
+        space = self._free.get()
+        try:
+            yield space
+        finally:
+            self._free.put(space)
 
     def _in_order(self, n_sources: int, batch: Callable[[int], T], take: Callable[[T], None]) -> Iterator[int]:
         """Run the batches, a few ahead, and take their results in order."""
