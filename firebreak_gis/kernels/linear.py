@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from firebreak_gis.kernels.bands import Bands
-from firebreak_gis.kernels.policy import kernel
+from firebreak_gis.kernels.policy import inlined, kernel
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.progress import Progress, silent
 
@@ -258,25 +258,39 @@ def _bicgstab(
     return products
 
 
+@inlined
+def _term(
+    probability: np.ndarray, x: np.ndarray, weights: np.ndarray, row: int, col: int, d: int, periodic: bool,
+    transpose: bool,
+) -> float:  # fmt: skip
+    """What direction d adds to one row of A x (or A^T x)."""
+    rows, cols = x.shape
+    # The cell that x is read from: the target of the edge, or its source if transposed.
+    r = row - _ROW_STEP[d] if transpose else row + _ROW_STEP[d]
+    c = col - _COL_STEP[d] if transpose else col + _COL_STEP[d]
+    if periodic:
+        r = r + rows if r < 0 else r - rows if r >= rows else r
+        c = c + cols if c < 0 else c - cols if c >= cols else c
+    elif r < 0 or r >= rows or c < 0 or c >= cols:
+        return 0.0
+    p = probability[d, r, c] if transpose else probability[d, row, col]
+    return weights[d] * p * x[r, c]
+
+
 @kernel
 def _cell(
     probability: np.ndarray, x: np.ndarray, weights: np.ndarray, row: int, col: int, periodic: bool,
     transpose: bool,
 ) -> float:  # fmt: skip
     """One row of A x (or A^T x) at the rim of the grid."""
-    rows, cols = x.shape
-    term = np.zeros(8)
-    for d in range(8):
-        # The cell that x is read from: the target of the edge, or its source if transposed.
-        r = row - _ROW_STEP[d] if transpose else row + _ROW_STEP[d]
-        c = col - _COL_STEP[d] if transpose else col + _COL_STEP[d]
-        if periodic:
-            r %= rows
-            c %= cols
-        if 0 <= r < rows and 0 <= c < cols:
-            p = probability[d, r, c] if transpose else probability[d, row, col]
-            term[d] = weights[d] * p * x[r, c]
-    return ((term[0] + term[4]) + (term[2] + term[6])) + ((term[1] + term[5]) + (term[3] + term[7]))
+    total = 0.0
+    for first in range(2):  # the sides, then the corners
+        pairs = 0.0
+        for d in range(first, first + 3, 2):
+            pair = _term(probability, x, weights, row, col, d, periodic, transpose)
+            pairs += pair + _term(probability, x, weights, row, col, d + 4, periodic, transpose)
+        total += pairs
+    return total
 
 
 @kernel

@@ -1,4 +1,7 @@
-"""What the kernels are measured against: the same results by other means."""
+"""What the kernels are measured against: the same results by other means.
+
+What a peer needs to know of the network is made once, before it is timed.
+"""
 
 from __future__ import annotations
 
@@ -12,70 +15,99 @@ from scipy.sparse.linalg import LinearOperator, bicgstab, eigs
 from firebreak_gis import SpreadNetwork
 from firebreak_gis.kernels.percolation import steps
 
-
-def numpy_frontier(network: SpreadNetwork, starts: np.ndarray, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Burn runs with whole frontiers as arrays, as an expert of numpy would; returns counts and sizes."""
-    rng = np.random.default_rng(seed)
-    n_cells = network.burnable.size
-    offsets = steps(network.shape, periodic=False).offsets[0].astype(np.int64)
-    probability = np.ascontiguousarray(network.probability.reshape(8, n_cells).T)
-    counts, sizes = np.zeros(n_cells, np.uint32), np.zeros(starts.size, np.int64)
-    for run, start in enumerate(starts):
-        burnt = np.zeros(n_cells, bool)
-        frontier = np.array([start])
-        burnt[start] = True
-        while frontier.size:
-            source, d = np.nonzero(rng.random((frontier.size, 8), dtype=np.float32) < probability[frontier])
-            lit = frontier[source] + offsets[d]
-            frontier = np.unique(lit[~burnt[lit]])
-            burnt[frontier] = True
-        counts += burnt
-        sizes[run] = burnt.sum()
-    return counts, sizes
+Burns = tuple[np.ndarray, np.ndarray]
 
 
-def mask_and_csgraph(network: SpreadNetwork, starts: np.ndarray, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Burn runs by drawing all edges and searching the open ones with scipy; returns counts and sizes."""
-    rng = np.random.default_rng(seed)
-    n_cells = network.burnable.size
-    matrix = network.to_csr()
-    counts, sizes = np.zeros(n_cells, np.uint32), np.zeros(starts.size, np.int64)
-    rows = np.repeat(np.arange(n_cells), np.diff(matrix.indptr))
-    for run, start in enumerate(starts):
-        open_ = rng.random(matrix.nnz) < matrix.data
-        pointer = np.concatenate([[0], np.cumsum(np.bincount(rows[open_], minlength=n_cells))])
-        graph = sp.csr_array((np.ones(int(open_.sum()), np.int8), matrix.indices[open_], pointer), shape=matrix.shape)
-        reached = csgraph.breadth_first_order(graph, int(start), return_predecessors=False)
-        counts[reached] += 1
-        sizes[run] = reached.size
-    return counts, sizes
+class NumpyFrontier:
+    """Fires with whole frontiers as arrays, as an expert of numpy would write them."""
+
+    def __init__(self, network: SpreadNetwork) -> None:
+        self.n_cells = network.burnable.size
+        self.offsets = steps(network.shape, periodic=False).offsets[0].astype(np.int64)
+        self.probability = np.ascontiguousarray(network.probability.reshape(8, self.n_cells).T)
+
+    def __call__(self, starts: np.ndarray) -> Burns:
+        """Return how often each cell burns, and the size of every fire."""
+        rng = np.random.default_rng(1)
+        counts, sizes = np.zeros(self.n_cells, np.uint32), np.zeros(starts.size, np.int64)
+        for run, start in enumerate(starts):
+            burnt = np.zeros(self.n_cells, bool)
+            frontier = np.array([start])
+            burnt[start] = True
+            while frontier.size:
+                draws = rng.random((frontier.size, 8), dtype=np.float32)
+                source, d = np.nonzero(draws < self.probability[frontier])
+                lit = frontier[source] + self.offsets[d]
+                frontier = np.unique(lit[~burnt[lit]])
+                burnt[frontier] = True
+            counts += burnt
+            sizes[run] = np.count_nonzero(burnt)
+        return counts, sizes
 
 
-def lengths(network: SpreadNetwork) -> sp.csr_array:
+class MaskAndCsgraph:
+    """Fires by drawing all edges and searching the open ones with scipy."""
+
+    def __init__(self, network: SpreadNetwork) -> None:
+        self.matrix = network.to_csr()
+        self.probability = self.matrix.data.astype(np.float32)
+        self.matrix.indices = self.matrix.indices.astype(np.int32)
+        self.rows = np.repeat(np.arange(self.matrix.shape[0], dtype=np.int32), np.diff(self.matrix.indptr))
+
+    def __call__(self, starts: np.ndarray) -> Burns:
+        """Return how often each cell burns, and the size of every fire."""
+        rng = np.random.default_rng(1)
+        n_cells = self.matrix.shape[0]
+        counts, sizes = np.zeros(n_cells, np.uint32), np.zeros(starts.size, np.int64)
+        for run, start in enumerate(starts):
+            is_open = rng.random(self.matrix.nnz, dtype=np.float32) < self.probability
+            degree = np.bincount(self.rows[is_open], minlength=n_cells)
+            pointer = np.concatenate([[0], np.cumsum(degree)]).astype(np.int32)
+            target = self.matrix.indices[is_open]
+            graph = sp.csr_array((np.ones(target.size, np.int8), target, pointer), shape=self.matrix.shape)
+            reached = csgraph.breadth_first_order(graph, int(start), return_predecessors=False)
+            counts[reached] += 1
+            sizes[run] = reached.size
+        return counts, sizes
+
+
+def lengths(network: SpreadNetwork) -> sp.coo_array:
     """Edge lengths as the kernels round them."""
     from firebreak_gis.kernels.paths import edge_lengths
 
     matrix = network.to_csr()
     matrix.data = edge_lengths(matrix.data.astype(np.float32)).astype(float)
-    return matrix
+    return matrix.tocoo()
 
 
 def igraph_graph(network: SpreadNetwork) -> Any:
     """The network in igraph."""
     import igraph
 
-    matrix = lengths(network).tocoo()
+    matrix = lengths(network)
     edges = np.column_stack(matrix.coords).tolist()
     return igraph.Graph(n=matrix.shape[0], edges=edges, directed=True, edge_attrs={"length": matrix.data.tolist()})
 
 
 def networkit_graph(network: SpreadNetwork) -> Any:
-    """The network in networkit."""
+    """The network in networkit, which then uses one thread."""
     import networkit
 
-    matrix = lengths(network).tocoo()
+    networkit.setNumberOfThreads(1)
+    matrix = lengths(network)
+    return networkit.GraphFromCoo((matrix.data, matrix.coords), n=matrix.shape[0], weighted=True, directed=True)
+
+
+def networkx_graph(network: SpreadNetwork) -> Any:
+    """The network in networkx."""
+    import networkx
+
+    matrix = lengths(network)
+    graph = networkx.DiGraph()
+    graph.add_nodes_from(range(matrix.shape[0]))
     row, col = matrix.coords
-    return networkit.GraphFromCoo((matrix.data, (row, col)), n=matrix.shape[0], weighted=True, directed=True)
+    graph.add_weighted_edges_from(zip(row.tolist(), col.tolist(), matrix.data.tolist(), strict=True))
+    return graph
 
 
 def scipy_bonacich(network: SpreadNetwork, beta: float) -> np.ndarray:

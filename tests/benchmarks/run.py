@@ -1,288 +1,98 @@
-"""Measure the kernels against their peers, in one process, interleaved: `python -m tests.benchmarks.run`.
+"""Measure the kernels against their peers: `python -m tests.benchmarks.run`, about 20 minutes.
 
-Every row is checked before it is timed: both sides must give the same result (fires: the same mean size within its
-error). Times are medians; what counts is the ratio, since both sides meet the same machine at the same time.
+Every row is checked before it is timed: both sides must give the same result (fires of other draws: the same mean
+size within its error). Both sides take turns, times are medians. Rows on one thread are in processor time, which
+other programs on the machine hardly change; rows by the clock (several threads, start-up, files to files) need a
+quiet machine.
+
+`--huge` adds 9 million cells against scipy, and networkx on 10,000 cells: half an hour more and 8 GB of memory.
 """
 
 from __future__ import annotations
 
 import argparse
-import os
-import platform
+import gc
+import sys
 import time
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
-import numpy as np
-import pandas as pd
+from tests.benchmarks import fires, linear, memory, paths, report, scaling, start
+from tests.benchmarks.measuring import Comparison, Figure, Line, line_of
 
-from firebreak_gis import SpreadNetwork, rank
-from firebreak_gis.kernels import draws, lanes, percolation
-from firebreak_gis.kernels.centrality import betweenness, closeness, sampled_betweenness
-from firebreak_gis.kernels.linear import Operator
-from tests.benchmarks import peers
-from tests.benchmarks.landscapes import fractal
-
-RUNS = 64
+Rows = Iterable[Comparison | Figure]
+_HERE = Path(__file__).parent
 
 
-@dataclass
-class Row:
-    """One comparison: what, how large, ours, the peer's, and whether they agree."""
-
-    what: str
-    cells: int
-    peer: str
-    ours: Callable[[], object]
-    theirs: Callable[[], object]
-    agree: Callable[[object, object], bool]
-    repeats: int = 5
-    at_least: float | None = None
-
-
-def fires(network: SpreadNetwork, middle: bool) -> tuple[tuple[object, ...], np.ndarray]:
-    """Arguments of the fire kernels, and the ignition of each run."""
-    n_cells = network.burnable.size
-    rows, cols = network.shape
-    starts = np.full(RUNS, rows // 2 * cols + cols // 2)
-    if not middle:
-        starts = np.random.default_rng(0).integers(0, n_cells, RUNS)
-    grid_steps = percolation.steps(network.shape, periodic=False)
-    keys = draws.run_keys(0, "edges", RUNS)
-    return (draws.thresholds(network.probability), keys, grid_steps, np.arange(RUNS + 1), starts), starts
-
-
-def burn_rows(side: int) -> Iterator[Row]:
-    """Fires: 64 at once against one by one and against numpy; curves against plain runs."""
-    network = fractal(side)
-    n_cells = network.burnable.size
-    state = lanes.lanes(network.shape)
-    repeats = 5 if side <= 300 else 3
-
-    def same(a: object, b: object) -> bool:
-        return all(bool((x == y).all()) for x, y in zip(a, b, strict=True))
-
-    def alike(a: object, b: object) -> bool:
-        ours, theirs = a[1], b[1]
-        error = np.sqrt(ours.var() / ours.size + theirs.var() / theirs.size)
-        return bool(abs(ours.mean() - theirs.mean()) <= 4 * error + 0.02 * n_cells)
-
-    for middle in (True, False):
-        given, starts = fires(network, middle)
-        name = "one ignition" if middle else "random ignitions"
-
-        def single(given: tuple = given) -> tuple[np.ndarray, np.ndarray]:
-            counts, sizes = np.zeros(n_cells, np.uint32), np.zeros(RUNS, np.int64)
-            percolation.burn_runs(*given, 0, RUNS, counts, sizes, np.zeros(0), np.zeros(RUNS))
-            return counts, sizes
-
-        def block(given: tuple = given) -> tuple[np.ndarray, np.ndarray]:
-            counts, sizes = np.zeros(n_cells, np.uint32), np.zeros(RUNS, np.int64)
-            lanes.burn_block(*given, 0, RUNS, state, counts, sizes)
-            return counts, sizes
-
-        few = starts[:8] if side > 300 else starts[:32]
-        factor = RUNS / few.size
-        floor = (3.0 if side <= 300 else 2.0) if middle else None
-        yield Row(f"64 fires at once, {name}", n_cells, "one by one", block, single, same, repeats, floor)
-        yield Row(
-            f"fires, {name}",
-            n_cells,
-            "numpy frontier",
-            block,
-            scaled(lambda few=few: peers.numpy_frontier(network, few, 1), factor),
-            alike,
-            repeats,
-            15.0,
-        )
-        yield Row(
-            f"fires, {name}",
-            n_cells,
-            "numpy mask + csgraph",
-            block,
-            scaled(lambda few=few: peers.mask_and_csgraph(network, few, 1), factor),
-            alike,
-            repeats,
-            8.0,
-        )
-    given, _ = fires(network, False)
-    levels = np.minimum(np.random.default_rng(3).random(n_cells) * 100, 50).astype(np.int32)
-
-    def curve() -> np.ndarray:
-        burnt = np.zeros((RUNS, 51), np.int64)
-        percolation.burn_curve(*given, 0, RUNS, levels, burnt)
-        return burnt
-
-    def every_level() -> np.ndarray:
-        burnt = np.zeros((RUNS, 51), np.int64)
-        counts, sizes = np.zeros(n_cells, np.uint32), np.zeros(RUNS, np.int64)
-        for level in range(51):
-            cut = levels.reshape(network.shape) < level
-            limits = draws.thresholds(network.treated(cut).probability)
-            cells = np.where(cut.ravel()[given[4]], -1, given[4])
-            percolation.burn_runs(limits, *given[1:4], cells, 0, RUNS, counts, sizes, np.zeros(0), np.zeros(RUNS))
-            burnt[:, level] = sizes
-        return burnt
-
-    def plain() -> np.ndarray:
-        counts, sizes = np.zeros(n_cells, np.uint32), np.zeros(RUNS, np.int64)
-        percolation.burn_runs(*given, 0, RUNS, counts, sizes, np.zeros(0), np.zeros(RUNS))
-        return sizes
-
-    yield Row(
-        "curve of 51 levels",
-        n_cells,
-        "one plain run",
-        curve,
-        plain,
-        lambda a, b: bool((a[:, 0] == b).all()),
-        repeats,
-        0.5,
-    )
-    if side <= 300:
-        yield Row(
-            "curve of 51 levels",
-            n_cells,
-            "simulating each level",
-            curve,
-            every_level,
-            lambda a, b: bool((a == b).all()),
-            3,
-            5.0,
-        )
+def _parts(*, quick: bool, huge: bool) -> Iterator[tuple[str, Callable[[], Rows]]]:
+    """Makers of rows, in the order of the table."""
+    for side in (100,) if quick else (100, 300, 1000):
+        yield "fires", lambda side=side: fires.rows(side)
+    yield "paths", lambda: paths.rows(30 if quick else 50)
+    yield "paths", lambda: paths.rows(30 if quick else 50, by_networkx=True)
+    if not quick:
+        yield "paths", lambda: paths.rows(100)
+    if huge:
+        yield "paths", lambda: paths.rows(100, by_networkx=True)
+    yield "sampled", lambda: paths.sampled_rows(100 if quick else 1000)
+    for side in (300,) if quick else (300, 1000, 3000) if huge else (300, 1000):
+        yield "stencil", lambda side=side: linear.stencil_rows(side)
+    for side in (300,) if quick else (1000, 3000):
+        for transpose in (False, True):
+            yield "stencil", lambda side=side, transpose=transpose: linear.bandwidth_row(side, transpose=transpose)
+    for side in (300,) if quick else (1000, 3000) if huge else (1000,):
+        yield "bonacich", lambda side=side: linear.bonacich_rows(side)
+    yield "start", start.start_rows
+    for side in (300,) if quick else (1000, 3000) if huge else (1000,):
+        yield "whole", lambda side=side: start.whole_rows(side)
+    if not quick and sys.platform == "linux":
+        yield "memory", memory.figures
 
 
-def scaled(work: Callable[[], object], factor: float) -> Callable[[], object]:
-    """Mark work that does only a share of the runs; its time is multiplied."""
-    work.factor = factor  # type: ignore[attr-defined]
-    return work
-
-
-def path_rows(side: int) -> Iterator[Row]:
-    """Shortest paths against graph libraries."""
-    network = fractal(side, scale=1.0)
-    n_cells = network.burnable.size
-    graph, other = peers.igraph_graph(network), peers.networkit_graph(network)
-
-    def close(a: object, b: object) -> bool:
-        return bool(np.allclose(np.asarray(a).ravel(), np.asarray(b).ravel(), rtol=1e-9, atol=1e-9))
-
-    def ours() -> np.ndarray:
-        return betweenness(network.probability, network.burnable)
-
-    def by_networkit() -> np.ndarray:
-        import networkit
-
-        return np.array(networkit.centrality.Betweenness(other).run().scores())
-
-    yield Row("betweenness, exact", n_cells, "igraph", ours, lambda: graph.betweenness(weights="length"), close, 1, 4.0)
-    yield Row("betweenness, exact", n_cells, "networkit", ours, by_networkit, close, 1, 5.0)
-
-    def our_closeness() -> np.ndarray:
-        return closeness(network.probability, network.burnable, transpose=False)
-
-    def by_igraph() -> np.ndarray:
-        return np.array(graph.closeness(weights="length", mode="out", normalized=False))
-
-    def proportional(a: object, b: object) -> bool:
-        ratio = np.asarray(a).ravel() / np.asarray(b).ravel()
-        return bool(np.allclose(ratio, ratio[0], rtol=1e-9))
-
-    yield Row("closeness", n_cells, "igraph", our_closeness, by_igraph, proportional, 1, 3.0)
-
-
-def linear_rows(side: int) -> Iterator[Row]:
-    """Bonacich centrality and the stencil against scipy and the memory bandwidth."""
-    network = fractal(side, scale=1.0)
-    n_cells = network.burnable.size
-    matrix = network.to_csr()
-    x = np.random.default_rng(0).random(n_cells)
-
-    def close(a: object, b: object) -> bool:
-        return bool(np.allclose(np.asarray(a).ravel(), np.asarray(b).ravel(), rtol=1e-6))
-
-    with Operator(network.probability) as operator:
-        plane, out = x.reshape(network.shape), np.empty(network.shape)
-        yield Row(
-            "stencil product",
-            n_cells,
-            "scipy CSR",
-            lambda: operator.apply(plane, out).copy(),
-            lambda: matrix @ x,
-            close,
-            7,
-            4.0,
-        )
-    yield Row(
-        "Bonacich, beta 0.9",
-        n_cells,
-        "scipy ARPACK + BiCGSTAB",
-        lambda: rank(network, "bonacich", beta=0.9).values,
-        lambda: peers.scipy_bonacich(network, 0.9),
-        close,
-        1,
-        20.0 if side >= 3000 else None,
-    )
-
-
-def measure(row: Row) -> dict[str, object]:
-    """Check a row, then time both sides in turn."""
-    factor = getattr(row.theirs, "factor", 1.0)
-    if not row.agree(row.ours(), row.theirs()):
-        raise AssertionError(f"{row.what} does not agree with {row.peer}")
-    ours, theirs = [], []
-    for _ in range(row.repeats):
-        for work, times in ((row.ours, ours), (row.theirs, theirs)):
-            started = time.perf_counter()
-            work()
-            times.append(time.perf_counter() - started)
-    a, b = float(np.median(ours)), factor * float(np.median(theirs))
-    return {
-        "what": row.what,
-        "cells": row.cells,
-        "peer": row.peer,
-        "ours_s": a,
-        "peer_s": b,
-        "ratio": b / a,
-        "at_least": row.at_least,
-    }
-
-
-def sampled_row(side: int) -> dict[str, object]:
-    """Time of one pivot of sampled betweenness."""
-    network = fractal(side, scale=1.0)
-    sampled_betweenness(network.probability, network.burnable, pivots=2)
-    started = time.perf_counter()
-    sampled_betweenness(network.probability, network.burnable, pivots=16)
-    seconds = (time.perf_counter() - started) / 16
-    return {"what": "sampled betweenness, a pivot", "cells": network.burnable.size, "peer": "", "ours_s": seconds}
+def _measured(maker: Callable[[], Rows], began: float) -> Iterator[Line]:
+    """Lines of one maker; what fails becomes a line that says so."""
+    try:
+        for row in maker():
+            line = line_of(row)
+            print(f"{time.perf_counter() - began:6.0f} s", report.table([line]).splitlines()[-1], flush=True)
+            yield line
+    except Exception as error:  # the other rows are still wanted
+        print(f"failed: {error!r}", file=sys.stderr, flush=True)
+        yield Line("a row that failed", 0, 0, float("nan"), "", fault=repr(error).replace("|", "/"))
 
 
 def main() -> None:
-    """Write table.csv, table.md and print the table."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--output", type=Path, default=Path("benchmarks"))
-    parser.add_argument("--quick", action="store_true", help="small sizes only")
+    """Write table.csv, table.md, costs.csv and cost.png; exit with 1 if a row failed or missed its mark."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--output", type=Path, default=_HERE / "results", help="folder for the files")
+    parser.add_argument("--quick", action="store_true", help="small sizes only, to see that all works")
+    parser.add_argument("--huge", action="store_true", help="9 million cells, and networkx on 10,000")
+    parser.add_argument("--only", action="append", help="fires, paths, sampled, stencil, bonacich, start, whole, "
+                        "memory or scaling; may be given several times")  # fmt: skip
+    parser.add_argument("--readme", type=Path, help="put the rows with a demand into this file")
     given = parser.parse_args()
-    given.output.mkdir(parents=True, exist_ok=True)
-    rows: list[dict[str, object]] = []
-    makers = [(burn_rows, (100, 300, 1000)), (path_rows, (50, 100)), (linear_rows, (300, 1000))]
-    for maker, sides in makers:
-        for side in sides[:1] if given.quick else sides:
-            for row in maker(side):
-                rows.append(measure(row))
-                print(rows[-1], flush=True)
-    rows.append(sampled_row(100 if given.quick else 1000))
-    frame = pd.DataFrame(rows)
-    frame.to_csv(given.output / "table.csv", index=False)
-    lines = ["| what | cells | against | ours [s] | peer [s] | ratio |", "|---|---|---|---|---|---|"]
-    for r in frame.fillna("").to_dict("records"):
-        peer, ratio = (f"{r['peer_s']:.4g}", f"{r['ratio']:.1f}") if r["peer"] else ("", "")
-        lines.append(f"| {r['what']} | {r['cells']:,} | {r['peer']} | {r['ours_s']:.4g} | {peer} | {ratio} |")
-    lines.append(f"\n{platform.machine()}, {os.cpu_count()} processors, Python {platform.python_version()}")
-    (given.output / "table.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
-    print("\n".join(lines))
+    began = time.perf_counter()
+    lines: list[Line] = []
+    for subject, maker in _parts(quick=given.quick, huge=given.huge):
+        if given.only and subject not in given.only:
+            continue
+        for line in _measured(maker, began):
+            lines.append(line)
+            report.write(lines, [], given.output)
+        gc.collect()
+    costs: list[scaling.Cost] = []
+    if not given.only or "scaling" in given.only:
+        sizes = ((100, 316), (32, 56)) if given.quick else (scaling.SIDES, scaling.SMALL_SIDES)
+        for cost in scaling.costs(*sizes):
+            print(f"{time.perf_counter() - began:6.0f} s {cost.kernel}, {cost.cells:,}: {cost.seconds:.3g} s", flush=True)
+            costs.append(cost)
+    report.write(lines, costs, given.output)
+    if given.readme:
+        command = "python -m tests.benchmarks.run" + (" --huge" if given.huge else "")
+        report.put_into(given.readme, lines, given.output, command)
+    missed = [line for line in lines if line.fault or line.holds is False]
+    print(f"{len(lines)} rows, {len(missed)} missed, {time.perf_counter() - began:.0f} s, in {given.output}")
+    sys.exit(1 if missed else 0)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,75 @@
+"""Rows about time that a user waits: start-up, and the whole way on files."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tests.benchmarks.landscapes import write_layers
+from tests.benchmarks.measuring import Figure
+
+_IMPORTS = ("firebreak_gis", "networkx", "igraph", "networkit")
+_FIRST_FIRE = (
+    "import numpy as np, firebreak_gis as fb; fb.simulate(fb.SpreadNetwork(np.full((8, 50, 50), 0.3)), n_runs=100)"
+)
+
+
+def _program(*arguments: str, environment: Mapping[str, str] | None = None) -> tuple[float, str]:
+    """Seconds by the clock of a fresh Python, and what it prints."""
+    started = time.perf_counter()
+    done = subprocess.run(
+        [sys.executable, *arguments], env={**os.environ, **(environment or {})}, check=True, capture_output=True,
+        text=True,
+    )  # fmt: skip
+    return time.perf_counter() - started, done.stdout
+
+
+def _median(*arguments: str, rounds: int = 5) -> float:
+    _program(*arguments)
+    return float(np.median([_program(*arguments)[0] for _ in range(rounds)]))
+
+
+def start_rows() -> Iterator[Figure]:
+    """Seconds until something can be done."""
+    yield Figure("start-up, Python itself", 0, _median("-c", "pass"), "s")
+    for name in _IMPORTS:
+        yield Figure(f"start-up, import {name}", 0, _median("-c", f"import {name}"), "s")
+    yield Figure("start-up, firebreak --help", 0, _median("-m", "firebreak_gis", "--help"), "s", at_most=0.5)
+    yield Figure("start-up to 100 fires on 50 x 50 cells", 2500, _median("-c", _FIRST_FIRE), "s")
+
+
+def whole_rows(side: int) -> Iterator[Figure]:
+    """From three GeoTIFFs to breaks and burn maps on disk, with its steps; and the whole command."""
+    warm, first = (3.0, 12.0) if side == 1000 else (60.0, None) if side == 3000 else (None, None)
+    cells, number = side * side, len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
+    with tempfile.TemporaryDirectory() as folder:
+        layers = [str(path) for path in write_layers(Path(folder) / "layers", side)]
+        way = ("-m", "tests.benchmarks.whole", *layers, str(Path(folder) / "out"))
+        runs: list[tuple[float, dict[str, Any]]] = []
+        rounds = 4 if side <= 1000 else 1
+        for _ in range(rounds):
+            took, printed = _program(*way)
+            runs.append((took, json.loads(printed)))
+        kept = runs[1:] or runs
+        yield Figure("files to files", cells, float(np.median([r[0] for r in kept])), "s", warm, threads=number)
+        for name in runs[0][1]["steps"]:
+            part = float(np.median([r[1]["steps"][name] for r in kept]))
+            yield Figure(f"files to files, of this {name}", cells, part, "s", threads=number)
+        peak = max(r[1]["peak"] for r in runs) / 1e9
+        yield Figure("files to files, peak memory", cells, peak, "GB", 4.0 if side == 3000 else None, threads=number)
+        command = ("-m", "firebreak_gis", "plan", *layers, "--legend", "paper", "--method", "bonacich", "--overwrite",
+                   "-q", "-o", str(Path(folder) / "plan"))  # fmt: skip
+        yield Figure("`firebreak plan`, with evaluation and picture", cells, _program(*command)[0], "s", threads=number)
+        if first is not None:
+            fresh = {"NUMBA_CACHE_DIR": str(Path(folder) / "cache")}
+            took = _program(*way, environment=fresh)[0]
+            yield Figure("files to files, the very first time", cells, took, "s", first, threads=number)
