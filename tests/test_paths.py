@@ -262,8 +262,8 @@ def test_a_batch_that_fails_ends_the_work(monkeypatch, threads):
         def work(function=function, errors=errors):
             try:
                 function(network.probability, network.burnable, threads=threads)
-            except MemoryError as error:
-                errors.append(error)
+            except MemoryError as caught:
+                errors.append(caught)
 
         worker = threading.Thread(target=work, daemon=True)
         worker.start()

@@ -111,9 +111,7 @@ def _in_turn(row: Comparison) -> tuple[float, float, str]:
     return float(np.median(times[0])), float(np.median(times[1])), fault
 
 
-def _verdict(
-    value: float, at_least: float | None, at_most: float | None, unit: str
-) -> tuple[str, bool | None]:
+def _verdict(value: float, at_least: float | None, at_most: float | None, unit: str) -> tuple[str, bool | None]:
     if at_least is not None:
         return f"at least {at_least:g}{unit}", value >= at_least
     if at_most is not None:

@@ -100,10 +100,10 @@ def networkit_graph(network: SpreadNetwork) -> Any:
 
 def networkx_graph(network: SpreadNetwork) -> Any:
     """The network in networkx."""
-    import networkx
+    import networkx as nx
 
     matrix = lengths(network)
-    graph = networkx.DiGraph()
+    graph = nx.DiGraph()
     graph.add_nodes_from(range(matrix.shape[0]))
     row, col = matrix.coords
     graph.add_weighted_edges_from(zip(row.tolist(), col.tolist(), matrix.data.tolist(), strict=True))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import dataclasses
-import datetime
+import datetime as dt
 import math
 import os
 import platform
@@ -34,7 +34,7 @@ def machine() -> str:
             versions.append(f"{name} {importlib.metadata.version(name)}")
         except importlib.metadata.PackageNotFoundError:
             continue
-    day = datetime.datetime.now(datetime.UTC).date().isoformat()
+    day = dt.datetime.now(dt.UTC).date().isoformat()
     return (
         f"{model}, {os.cpu_count()} processors, {platform.system()}, Python {platform.python_version()}, "
         f"{', '.join(versions)}, {day}"

@@ -29,11 +29,11 @@ def _parts(*, quick: bool, huge: bool) -> Iterator[tuple[str, Callable[[], Rows]
     for side in (100,) if quick else (100, 300, 1000):
         yield "fires", lambda side=side: fires.rows(side)
     yield "paths", lambda: paths.rows(30 if quick else 50)
-    yield "paths", lambda: paths.rows(30 if quick else 50, by_networkx=True)
+    yield "paths", lambda: paths.networkx_rows(30 if quick else 50)
     if not quick:
         yield "paths", lambda: paths.rows(100)
     if huge:
-        yield "paths", lambda: paths.rows(100, by_networkx=True)
+        yield "paths", lambda: paths.networkx_rows(100)
     yield "sampled", lambda: paths.sampled_rows(100 if quick else 1000)
     for side in (300,) if quick else (300, 1000, 3000) if huge else (300, 1000):
         yield "stencil", lambda side=side: linear.stencil_rows(side)
@@ -84,7 +84,7 @@ def main() -> None:
     if not given.only or "scaling" in given.only:
         sizes = ((100, 316), (32, 56)) if given.quick else (scaling.SIDES, scaling.SMALL_SIDES)
         for cost in scaling.costs(*sizes):
-            print(f"{time.perf_counter() - began:6.0f} s {cost.kernel}, {cost.cells:,}: {cost.seconds:.3g} s", flush=True)
+            print(f"{time.perf_counter() - began:6.0f} s {cost}", flush=True)
             costs.append(cost)
     report.write(lines, costs, given.output)
     if given.readme:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -35,37 +36,52 @@ def costs(sides: tuple[int, ...] = SIDES, small: tuple[int, ...] = SMALL_SIDES) 
     with threads(1):
         for side in small:
             network = fractal(side, scale=1.0)
-            given = (network.probability, network.burnable)
-            rounds = 3 if side <= 56 else 1
-            yield Cost("betweenness, exact", side * side, seconds(lambda: betweenness(*given), rounds=rounds))
+            work = partial(betweenness, network.probability, network.burnable)
+            yield Cost("betweenness, exact", side * side, seconds(work, rounds=3 if side <= 56 else 1))
         for side in sides:
-            for kernel, work, amount in _kernels(fractal(side)):
-                started = time.process_time()
-                work()
-                once = time.process_time() - started
-                # Short work is repeated until the clock sees it.
-                times = max(1, min(200, round(0.05 / max(once, 1e-6))))
-                took = seconds(lambda: [work() for _ in range(times)], rounds=3 if once < 5.0 else 1)  # noqa: B023
-                yield Cost(kernel, side * side, took / times / amount)
+            network = fractal(side)
+            for kernel, work, amount in (*_fires(network), *_centralities(network)):
+                yield Cost(kernel, side * side, _time(work) / amount)
 
 
-def _kernels(network: SpreadNetwork) -> Iterator[tuple[str, Callable[[], object], float]]:
+def _time(work: Callable[[], object]) -> float:
+    started = time.process_time()
+    work()
+    once = time.process_time() - started
+    # Short work is repeated until the clock sees it.
+    times = max(1, min(200, round(0.05 / max(once, 1e-6))))
+    return seconds(lambda: [work() for _ in range(times)], rounds=3 if once < 5.0 else 1) / times
+
+
+Timed = tuple[str, Callable[[], object], float]
+
+
+def _fires(network: SpreadNetwork) -> list[Timed]:
     few = 8 if network.burnable.size > 5_000_000 else RUNS
     kernels = Kernels(network)
-    yield "a fire, one by one", lambda: kernels.one_by_one(few), few
-    yield "a fire, 64 at once", kernels.at_once, RUNS
     levels = cut_levels(network, np.random.default_rng(3).random(network.shape), LEVELS).ravel()
-    yield "a curve of 51 levels", lambda: kernels.curve(levels, few), few
-    del kernels
+    return [
+        ("a fire, one by one", lambda: kernels.one_by_one(few), few),
+        ("a fire, 64 at once", kernels.at_once, RUNS),
+        ("a curve of 51 levels", lambda: kernels.curve(levels, few), few),
+    ]
+
+
+def _centralities(network: SpreadNetwork) -> list[Timed]:
     pivots = 2 if network.burnable.size > 500_000 else 8
-    given = (network.probability, network.burnable)
-    yield "betweenness, a pivot", lambda: sampled_betweenness(*given, pivots=pivots), pivots
     x, out = np.ones(network.shape), np.empty(network.shape)
-    with Operator(network.probability) as operator:
-        yield "product A x", lambda: operator.apply(x, out), 1
-    yield "Bonacich, beta 0.9", lambda: rank(network, "bonacich", beta=0.9), 1
+    operator = Operator(network.probability)
     priority = rank(network, "degree")
-    yield "breaks", lambda: select_breaks(priority, budget=0.1, burnable=network.burnable), 1
+    return [
+        (
+            "betweenness, a pivot",
+            lambda: sampled_betweenness(network.probability, network.burnable, pivots=pivots),
+            pivots,
+        ),
+        ("product A x", lambda: operator.apply(x, out), 1),
+        ("Bonacich, beta 0.9", lambda: rank(network, "bonacich", beta=0.9), 1),
+        ("breaks", lambda: select_breaks(priority, budget=0.1, burnable=network.burnable), 1),
+    ]
 
 
 def slope(costs: list[Cost]) -> float:
