@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from affine import Affine
 
-from firebreak_gis import SpreadNetwork, burn_curve, select_breaks, simulate
+from firebreak_gis import SpreadNetwork, burn_curve, select_breaks, simulate, simulation
 from firebreak_gis.errors import Cancelled, GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.ignitions import resolve_ignitions
-from firebreak_gis.kernels import draws
+from firebreak_gis.kernels import draws, lanes
 from firebreak_gis.rasters import write_raster
 from tests.twins import percolation as twin
 
@@ -117,6 +117,29 @@ def test_any_number_of_runs_begins_alike(network, n_runs):
     priority[~network.burnable] = -np.inf
     curve = burn_curve(network, priority, budgets=[0, 0.3], n_runs=n_runs, seed=7, threads=3)
     assert (curve[:, 0] == whole[:n_runs]).all()
+
+
+@pytest.mark.parametrize("boundary", ["open", "periodic"])
+def test_no_way_of_sharing_out_the_runs_changes_a_count(monkeypatch, boundary):
+    """One by one or 64 at once, by one thread or more, in pieces of any size: the same map and the same curve."""
+    random = np.random.default_rng(4)
+    network = SpreadNetwork(random.uniform(0.0, 0.6, (8, 70, 83)), boundary=boundary)
+    priority = random.random(network.shape)
+    made = []
+    # Pilot, piece, runs of a block, and whether blocks are taken.
+    for pilot, piece, block, pays in ((4, 8, 64, False), (1, 3, 64, False), (4, 8, 64, True), (2, 8, 17, True)):
+        monkeypatch.setattr(simulation, "_PILOT", pilot)
+        monkeypatch.setattr(simulation, "_PIECE", piece)
+        monkeypatch.setattr(lanes, "LANES", block)
+        monkeypatch.setattr(lanes, "block_pays", lambda *given, pays=pays, **more: pays)
+        for threads in (1, 2, 3):
+            given = {"n_runs": 150, "seed": 6, "threads": threads}
+            made.append((simulate(network, **given), burn_curve(network, priority, budgets=[0, 0.1, 0.3], **given)))
+    burns, curve = made[0]
+    assert burns["burn_count"].max() > 64
+    for other, other_curve in made[1:]:
+        assert other.identical(burns)
+        assert other_curve.identical(curve)
 
 
 def test_protected_cells_are_never_cut_in_the_curve(network):
