@@ -11,6 +11,9 @@ from typing import Any
 
 import numpy as np
 
+#: How rows of peak memory begin.
+MEMORY = "peak memory, "
+
 
 @dataclass
 class Comparison:

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from tests.benchmarks.measuring import Figure
+from tests.benchmarks.measuring import MEMORY, Figure
 
 #: Steps, and the threads that they use.
 STEPS = {
@@ -33,7 +33,7 @@ def figures(names: Iterator[str] | None = None) -> Iterator[Figure]:
         peaks = [_peak_of(name, side) for side in _SIDES]
         cells = [side * side for side in _SIDES]
         per_cell = (peaks[1] - peaks[0]) / (cells[1] - cells[0])
-        yield Figure(f"peak memory, {name}", cells[1], per_cell, "B/cell", threads=STEPS[name])
+        yield Figure(MEMORY + name, cells[1], per_cell, "B/cell", threads=STEPS[name])
 
 
 def peak_bytes() -> int:

@@ -10,7 +10,7 @@ import os
 import platform
 from pathlib import Path
 
-from tests.benchmarks.measuring import Line
+from tests.benchmarks.measuring import MEMORY, Line
 from tests.benchmarks.scaling import Cost, slope
 
 BEGIN, END = "<!-- speed -->", "<!-- end of speed -->"
@@ -105,9 +105,10 @@ def put_into(readme: Path, lines: list[Line], folder: Path, command: str) -> Non
     before, rest = text.split(BEGIN, 1)
     _, after = rest.split(END, 1)
     place = os.path.relpath(folder, readme.parent).replace(os.sep, "/")
-    shown = [line for line in lines if line.asked or line.what.startswith("peak memory")]
-    section = (
-        f"{table(shown)}\n\n![Cost against cells]({place}/{_PICTURE})\n\n"
-        f"All rows: [table.md]({place}/table.md). Made by `{command}` on {machine()}.\n"
-    )
+    shown = [line for line in lines if line.asked]
+    memory = [f"{line.what.removeprefix(MEMORY)} {line.ours:.0f}" for line in lines if line.what.startswith(MEMORY)]
+    section = f"{table(shown)}\n\n![Cost against cells on one thread]({place}/{_PICTURE})\n\n"
+    if memory:
+        section += f"Peak memory in bytes a cell, what goes in included: {', '.join(memory)}.\n\n"
+    section += f"All rows: [table.md]({place}/table.md). Made by `{command}` on {machine()}.\n"
     readme.write_text(f"{before}{BEGIN}\n{section}{END}{after}", encoding="utf-8")
