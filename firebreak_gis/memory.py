@@ -1,15 +1,86 @@
-"""How much memory there is, and refusing work that will not fit."""
+"""How much memory there is and work will need, and refusing what will not fit."""
 
 from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 from firebreak_gis.errors import ResourceError
+from firebreak_gis.methods import memory_of
+from firebreak_gis.workers import thread_count
 
 #: Share of the machine's memory that is used unless the user gives a limit.
 DEFAULT_SHARE = 0.8
+
+
+@dataclass(frozen=True)
+class Need:
+    """Peak of a command, measured as resident memory on grids of 1,000 x 1,000 and 3,000 x 3,000 cells.
+
+    Parameters
+    ----------
+    fixed
+        The program and its libraries, bytes.
+    cell
+        A cell, bytes.
+    thread
+        A cell and thread, bytes.
+    """
+
+    fixed: int
+    cell: int
+    thread: int = 0
+
+    def bytes(self, cells: int, threads: int) -> int:
+        """Return the peak for a grid."""
+        return self.fixed + cells * (self.cell + threads * self.thread)
+
+
+_PLAIN, _COMPILED, _DRAWING = 170_000_000, 285_000_000, 435_000_000
+#: What holds the network and what a planner adds while a ranking works, bytes a cell.
+_NETWORK = 58
+#: Reading or making a network is the peak of each command that has one, unless its work needs more.
+_READING = Need(_COMPILED, 210)
+_STAGES: Mapping[str, tuple[Need, ...]] = {
+    "align": (Need(_PLAIN, 81),),
+    "network": (_READING,),
+    "rank": (_READING,),
+    "burn": (_READING, Need(_COMPILED, 100, 125)),
+    "evaluate": (_READING, Need(_DRAWING, 100, 125)),
+    "compare": (_READING, Need(_DRAWING, 100, 125)),
+    "plan": (_READING, Need(_DRAWING, 250, 60)),
+}
+
+
+def bytes_for(command: str, cells: int, *, method: str | None = None, threads: int | None = None) -> int:
+    """Estimate the peak memory of a command.
+
+    Parameters
+    ----------
+    command
+        "align", "network", "rank", "burn", "evaluate", "compare" or "plan".
+    cells
+        Of the grid.
+    method
+        Ranking, for the commands that rank; several names, by commas, for those that take several.
+    threads
+        See `workers.thread_count`.
+    """
+    n_threads = thread_count(threads)
+    stages = list(_STAGES[command])
+    for name in (method or "").split(","):
+        if name:
+            cell, thread = memory_of("ranking", name)
+            stages.append(Need(_COMPILED, _NETWORK + cell, thread))
+    return max(stage.bytes(cells, n_threads) for stage in stages)
+
+
+def allowed(max_memory: int | None = None) -> int:
+    """Return the bytes that may be used: as given, else the usual share of what there is."""
+    return int(DEFAULT_SHARE * memory_limit()) if max_memory is None else max_memory
 
 
 def memory_limit() -> int:
@@ -40,10 +111,10 @@ def require_memory(needed: int, what: str, *, max_memory: int | None = None) -> 
     ResourceError
         If `needed` is more than the limit.
     """
-    limit = int(DEFAULT_SHARE * memory_limit()) if max_memory is None else max_memory
+    limit = allowed(max_memory)
     if needed > limit:
         raise ResourceError(
-            f"{what} needs about {_size(needed)} of memory, {_size(limit)} are allowed; take a smaller "
+            f"{what} needs about {size(needed)} of memory, {size(limit)} are allowed; take a smaller "
             f"extent, "
             "a coarser resolution, or a machine with more memory (limit: --max-memory)"
         )
@@ -67,7 +138,8 @@ def _machine_memory() -> int:
     return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
 
 
-def _size(number: float) -> str:
+def size(number: float) -> str:
+    """Write a number of bytes for people."""
     if number < 1e9:
         return f"{number / 1e6:.3g} MB"
     return f"{number / 1e9:.3g} GB"

@@ -29,6 +29,8 @@ KINDS: Mapping[str, tuple[str, str]] = {
     "spread": ("firebreak_gis.spread", "probability"),
 }
 
+_USUAL_MEMORY = (200, 0)
+
 
 def parameter(
     default: Any,
@@ -102,6 +104,15 @@ def load(kind: str, name: str) -> ModuleType:
     if not callable(getattr(module, function, None)) or not dataclasses.is_dataclass(getattr(module, "Params", None)):
         raise ParameterError(f"the {kind} method {name!r} lacks a function {function}() or a dataclass Params")
     return typing.cast(ModuleType, module)
+
+
+def memory_of(kind: str, name: str) -> tuple[int, int]:
+    """Bytes that a plug-in needs at its peak, beside its input: for each cell, and for each cell and thread.
+
+    A module tells them as `MEMORY`; the default is enough for a few arrays.
+    """
+    cell, thread = getattr(load(kind, name), "MEMORY", _USUAL_MEMORY)
+    return int(cell), int(thread)
 
 
 def build_params(module: ModuleType, values: Mapping[str, Any]) -> Any:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import click
 
 from firebreak_gis.cli import options
 from firebreak_gis.cli.layers import input_files, read_layers, recorded
+from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs
 from firebreak_gis.cli.session import Session
 
 #: What the command writes into its folder.
@@ -25,6 +25,7 @@ OUTPUTS = {
 @click.command("align")
 @options.inputs
 @options.output_folder
+@options.dry_run
 @options.landscape
 @options.common
 def command(session: Session, **given: Any) -> None:
@@ -33,14 +34,17 @@ def command(session: Session, **given: Any) -> None:
     Writes elevation.tif, vegetation.tif and density.tif (classes of the paper) and says what was done to each
     layer.
     """
-    from firebreak_gis.files import require_writable, together
+    from firebreak_gis.files import together
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import write_landscape
     from firebreak_gis.manifest import provenance, write_manifest
 
     inputs = input_files(given)
-    for name in OUTPUTS:
-        require_writable(Path(given["output"]) / name, overwrite=given["overwrite"], forbid=inputs)
+    require_outputs(given, tuple(OUTPUTS), inputs)
+    foreseen = foresee(given, session, tuple(OUTPUTS))
+    if given["dry_run"]:
+        rehearse(foreseen, session)
+        return
     landscape = read_layers(given, session, progress=session.progress)
     parameters = recorded(given)
     grid = Grid.of(landscape["burnable"])

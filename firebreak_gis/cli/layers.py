@@ -32,6 +32,8 @@ _FILES = (
     "wind_from",
     "moisture",
 )
+#: Options for wind and moisture, and the parameters of spread models that they set.
+WEATHER = {"wind_speed": "wind_speed", "wind_from": "wind_from_direction", "moisture": "moisture"}
 #: Options that do not shape the result.
 _TRANSIENT = ("output", "overwrite", "max_memory", "creation_options", "dry_run")
 
@@ -90,15 +92,27 @@ def spread_params(given: Mapping[str, Any], grid: Grid) -> dict[str, Any]:
 
     params = options.pairs(given["model_params"], "--model-param")
     known = {p["name"] for p in methods.describe("spread", given["model"])["parameters"]}
-    names = {"wind_speed": "wind_speed", "wind_from": "wind_from_direction", "moisture": "moisture"}
-    values = {option: _number_or_path(given[option]) for option in names}
-    for option, name in names.items():
+    values = weather(given)
+    speed, direction = wind_planes(values["wind_speed"], values["wind_from"], grid)
+    planes = {"wind_speed": speed, "wind_from": direction, "moisture": moisture_plane(values["moisture"], grid)}
+    return {**{WEATHER[option]: plane for option, plane in planes.items() if WEATHER[option] in known}, **params}
+
+
+def weather(given: Mapping[str, Any]) -> dict[str, float | str]:
+    """Numbers, or names of rasters, of the options for wind and moisture.
+
+    Raises
+    ------
+    ParameterError
+        If a word is neither, or the spread model does not know what an option gives.
+    """
+    known = {p["name"] for p in methods.describe("spread", given["model"])["parameters"]}
+    values = {option: _number_or_path(given[option]) for option in WEATHER}
+    for option, name in WEATHER.items():
         if name not in known and values[option] != 0.0:
             flag = option.replace("_", "-")
             raise ParameterError(f"the spread model {given['model']!r} knows no {name}; leave --{flag} out")
-    speed, direction = wind_planes(values["wind_speed"], values["wind_from"], grid)
-    planes = {"wind_speed": speed, "wind_from": direction, "moisture": moisture_plane(values["moisture"], grid)}
-    return {**{names[option]: plane for option, plane in planes.items() if names[option] in known}, **params}
+    return values
 
 
 def _number_or_path(value: Any) -> float | str:

@@ -74,6 +74,8 @@ def claiming_output(command: F, *, folder: bool) -> F:
     def wrapper(*args: Any, **kwargs: Any) -> Any:
         from firebreak_gis.files import claiming
 
+        if kwargs.get("dry_run"):
+            return command(*args, **kwargs)
         with claiming(kwargs["output"], folder=folder):
             return command(*args, **kwargs)
 
@@ -96,6 +98,15 @@ def output_folder(command: F) -> F:
         help="Folder to write into; made if it does not exist.",
     )(command)
     return overwrite(command)
+
+
+def dry_run(command: F) -> F:
+    """--dry-run."""
+    return click.option(
+        "--dry-run",
+        is_flag=True,
+        help="Read headers only, check grid, memory, disk and outputs, say what would be done, and write nothing.",
+    )(command)
 
 
 def output_file(what: str) -> Callable[[F], F]:

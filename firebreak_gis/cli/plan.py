@@ -8,6 +8,7 @@ import click
 
 from firebreak_gis.cli import options, stakes
 from firebreak_gis.cli.layers import input_files, read_layers, recorded, spread_params
+from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
 
@@ -36,6 +37,7 @@ OUTPUTS = {
 @click.command("plan")
 @options.inputs
 @options.output_folder
+@options.dry_run
 @options.budget
 @options.ranking
 @options.leaks
@@ -51,7 +53,6 @@ def command(session: Session, **given: Any) -> None:
     The layers may have any CRS, extent and cell size; they are laid on one square grid in metres. DENSITY may
     be a raster, one of the words sparse, normal, dense, or left out if the legend gives the density.
     """
-    from firebreak_gis.files import make_folder, require_writable
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape.planes import ignition_source
     from firebreak_gis.pipeline import PLAN_FILES, plan, write_plan
@@ -62,11 +63,13 @@ def command(session: Session, **given: Any) -> None:
         "method_params": options.pairs(given["method_params"], "--param"),
         "model_params": options.pairs(given["model_params"], "--model-param"),
     }
-    options.checked_seed(given["seed"])
+    require_possible(parameters)
     inputs = [*input_files(given), *stakes.stake_files(given)]
-    target = make_folder(given["output"])
-    for name in PLAN_FILES:
-        require_writable(target / name, overwrite=given["overwrite"], forbid=inputs)
+    require_outputs(given, PLAN_FILES, inputs)
+    foreseen = foresee(given, session, PLAN_FILES, method=given["method"])
+    if given["dry_run"]:
+        rehearse(foreseen, session)
+        return
     landscape = read_layers(given, session, progress=part(session.progress, 0.0, 0.1, "align: "))
     grid = Grid.of(landscape["burnable"])
     result = plan(
