@@ -48,10 +48,10 @@ _STAGES: Mapping[str, tuple[Need, ...]] = {
     "align": (Need(_PLAIN, 81),),
     "network": (_READING,),
     "rank": (_READING,),
-    "burn": (_READING, Need(_COMPILED, 100, 125)),
-    "evaluate": (_READING, Need(_DRAWING, 100, 125)),
-    "compare": (_READING, Need(_DRAWING, 100, 125)),
-    "plan": (_READING, Need(_DRAWING, 250, 60)),
+    "burn": (_READING, Need(_COMPILED, 170, 87)),
+    "evaluate": (_READING, Need(_DRAWING, 170, 87)),
+    "compare": (_READING, Need(_DRAWING, 170, 87)),
+    "plan": (_READING, Need(_DRAWING, 170, 87)),
 }
 
 

@@ -52,7 +52,6 @@ def read_layers(given: Mapping[str, Any], session: Session, *, progress: Progres
         *(given[name] for name in ("dem", "vegetation", "density")),
         **grid_options(given),
         unknown=given["unknown"],
-        strict=given["strict"],
         max_memory=options.byte_size(given["max_memory"]),
         progress=progress,
     )
@@ -74,6 +73,7 @@ def grid_options(given: Mapping[str, Any]) -> dict[str, Any]:
         "like": given["like"],
         "src_nodata": _layer_values(given["src_nodata"], "--src-nodata", float),
         "band": {layer: values[-1] for layer, values in _layer_values(given["bidx"], "--bidx", int).items()},
+        "strict": given["strict"],
         "remote": given["remote"],
     }
 

@@ -65,7 +65,7 @@ def plan(header: Header, grid: Grid) -> Plan:
     return Plan(_window(upright, header, grid, sides), copy=False, coarser=coarser, cells=sides)
 
 
-def align_values(header: Header, grid: Grid, name: str, account: Account, *, strict: bool = False) -> np.ndarray:
+def align_values(header: Header, grid: Grid, name: str, account: Account) -> np.ndarray:
     """Return a quantity on the grid as float32 (rows, cols), NaN for no data.
 
     Raises
@@ -74,8 +74,8 @@ def align_values(header: Header, grid: Grid, name: str, account: Account, *, str
         If the values cannot be used (see `rasters.read_cells`).
     """
     how = plan(header, grid)
-    cells = _read(header, how, strict, sentinels=True)
-    account.warnings.extend(f"{name}: {note}" for note in cells.notes)
+    cells = _read(header, how, account.strict, sentinels=True)
+    _tell(cells, name, account)
     values = np.where(cells.valid, cells.values, np.nan).astype(np.float32)
     account.alignment.append(_sentence(name, header, how, grid, "average" if how.coarser else "bilinear"))
     if how.copy:
@@ -97,8 +97,8 @@ def align_classes(header: Header, grid: Grid, name: str, account: Account) -> np
     """
     how = plan(header, grid)
     cells = _read(header, how, strict=False, sentinels=False)
-    account.warnings.extend(f"{name}: {note}" for note in cells.notes)
-    codes = _as_codes(cells, header)
+    _tell(cells, name, account)
+    codes = _as_codes(cells, header, name)
     account.alignment.append(_sentence(name, header, how, grid, "mode" if how.coarser else "nearest"))
     if how.copy:
         return codes
@@ -111,6 +111,12 @@ def align_classes(header: Header, grid: Grid, name: str, account: Account) -> np
             f"{name}: aligning made the codes {new[new != MISSING][:5]}, which were not in the raster"
         )
     return result
+
+
+def _tell(cells: Cells, name: str, account: Account) -> None:
+    account.alignment.extend(f"{name}: {said}" for said in cells.said)
+    for note in cells.notes:
+        account.warn(f"{name}: {note}")
 
 
 def _upright(header: Header) -> Affine:
@@ -169,10 +175,10 @@ def _read(header: Header, how: Plan, strict: bool, sentinels: bool) -> Cells:
     first_col = header.shape[1] - col - cols if back else col
     cells = read_cells(header, (first_row, first_col, rows, cols), strict=strict, sentinels=sentinels)
     turn = (slice(None, None, -1 if down else 1), slice(None, None, -1 if back else 1))
-    return Cells(cells.values[turn], cells.valid[turn], cells.notes)
+    return Cells(cells.values[turn], cells.valid[turn], cells.notes, cells.said)
 
 
-def _as_codes(cells: Cells, header: Header) -> np.ndarray:
+def _as_codes(cells: Cells, header: Header, name: str) -> np.ndarray:
     inside = cells.values[cells.valid]
     if inside.dtype.kind == "f":
         broken = inside[inside != np.round(inside)]
@@ -190,7 +196,7 @@ def _as_codes(cells: Cells, header: Header) -> np.ndarray:
         raise InputError(
             f"{header.path} holds the negative codes {', '.join(f'{v:g}' for v in wrong)}, expected class "
             f"codes from 0; "
-            f"if they mean no data, say so (--src-nodata {wrong[0]:g})"
+            f"if they mean no data, say so (--src-nodata {name}={wrong[0]:g})"
         )
     # np.where(valid, values, -1) would keep the type of the raster and turn -1 into class 255.
     codes = np.full(cells.values.shape, MISSING, dtype=np.int32)

@@ -89,7 +89,7 @@ def fuel_of(
         density_effect = _merge(density_effect, given_effect, replaced)
     lacking = np.isnan(density) & (vegetation > 0)
     if lacking.any():
-        account.warnings.append(
+        account.warn(
             f"{int(lacking.sum())} cells with vegetation have no density and are taken as not burnable "
             f"({lacking.mean():.2%} of the grid)"
         )
@@ -138,7 +138,7 @@ def _look_up(values: np.ndarray, legend: Legend, name: str, grid: Grid, account:
             f"{name}=...), or take them "
             "as land without fuel (--unknown nonburnable)" + _hint(values[strange], legend, name)
         )
-    account.warnings.append(f"{name}: codes not in the legend {legend.name} were taken as land without fuel: {told}")
+    account.warn(f"{name}: codes not in the legend {legend.name} were taken as land without fuel: {told}")
     return index
 
 

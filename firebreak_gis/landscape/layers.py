@@ -40,9 +40,9 @@ METRES: Mapping[str, float] = {
 HIGHEST, LOWEST, DEEPEST = 9000.0, -500.0, -12000.0
 
 
-def elevation_on(header: Header, grid: Grid, account: Account, strict: bool) -> np.ndarray:
+def elevation_on(header: Header, grid: Grid, account: Account) -> np.ndarray:
     """Elevation on the grid in metres, NaN for no data."""
-    values = align_values(header, grid, "elevation", account, strict=strict)
+    values = align_values(header, grid, "elevation", account)
     word = header.units.strip().lower()
     if word not in METRES:
         raise InputError(
@@ -58,7 +58,7 @@ def elevation_on(header: Header, grid: Grid, account: Account, strict: bool) -> 
             f"elevation: multiplied by {factor:.9g} to get metres from {header.units or 'the unit of its CRS'}"
         )
     elif word in ("", "1", "unknown") and "foot" in _unit_of(header):
-        account.warnings.append(
+        account.warn(
             f"elevation: its CRS is in {_unit_of(header)} but its own unit is not stated and was taken "
             "as metres; if it is feet, set it: gdal_edit.py -units ft FILE"
         )
@@ -74,9 +74,7 @@ def elevation_on(header: Header, grid: Grid, account: Account, strict: bool) -> 
     deep = values < LOWEST
     if deep.any():
         values[deep] = np.nan
-        account.warnings.append(
-            f"elevation: {int(deep.sum())} cells below {LOWEST:g} m were taken as sea bed, without elevation"
-        )
+        account.warn(f"elevation: {int(deep.sum())} cells below {LOWEST:g} m were taken as sea bed, without elevation")
     return values
 
 

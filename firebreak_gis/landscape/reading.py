@@ -74,7 +74,7 @@ def read_landscape(
     unknown
         What codes missing from the legend are: an error, or land without fuel.
     strict
-        Refuse undeclared "no data" values in the DEM instead of masking them.
+        Refuse what would only be warned of, such as undeclared "no data" values in the DEM.
     remote
         Whether network addresses and paths into archives are allowed.
     max_memory
@@ -104,13 +104,13 @@ def read_landscape(
         raise ParameterError(f"unknown is {unknown!r}, expected refuse or nonburnable")
     found = survey(
         dem, vegetation, density, legend=legend, density_legend=density_legend, crs=crs, resolution=resolution,
-        bounds=bounds, like=like, src_nodata=src_nodata, band=band, remote=remote,
+        bounds=bounds, like=like, src_nodata=src_nodata, band=band, strict=strict, remote=remote,
     )  # fmt: skip
     layers, grid, account = found.layers, found.grid, found.account
     require_memory(found.memory, f"a landscape of {grid.shape[0]} x {grid.shape[1]} cells", max_memory=max_memory)
 
     report(0.1, "elevation")
-    elevation = elevation_on(layers["elevation"], grid, account, strict)
+    elevation = elevation_on(layers["elevation"], grid, account)
     report(0.4, "vegetation")
     codes = codes_on(layers["vegetation"], grid, "vegetation", found.legend, account)
     report(0.7, "density")
@@ -140,7 +140,7 @@ def _assemble(grid: Grid, elevation: np.ndarray, fuel: Fuel, account: Account) -
     burnable = burnable_cells(layers)
     blind = int(np.count_nonzero((fuel.vegetation > 0) & (fuel.density > 0) & ~np.isfinite(elevation)))
     if blind:
-        account.warnings.append(
+        account.warn(
             f"{blind} cells with fuel have no elevation and are taken as not burnable "
             f"({blind / burnable.size:.2%} of the grid)"
         )

@@ -66,6 +66,7 @@ def survey(
     like: Any = None,
     src_nodata: Mapping[str, Any] | None = None,
     band: Mapping[str, int] | None = None,
+    strict: bool = False,
     remote: bool = False,
 ) -> Survey:
     """Read headers and legends and choose the grid; parameters as in `read_landscape`.
@@ -75,7 +76,7 @@ def survey(
     InputError, ParameterError
         As `read_landscape`, for all that can be known without reading a value.
     """
-    account = Account()
+    account = Account(strict=strict)
     band = dict(band or {})
     if vegetation is None:
         found = read_landscape_file(dem, remote=remote)
@@ -113,7 +114,7 @@ def _legends(legend: Any, density_legend: Any, density: Any) -> tuple[Legend, Le
     if density is None and not table.has_density:
         raise LegendError(
             f"no density: the legend {table.name} gives none. Give a density raster, or one class for all fuel "
-            "(density=\"normal\"), or density=\"continuity\", or a legend with densities (see legends.names() or "
+            '(density="normal"), or density="continuity", or a legend with densities (see legends.names() or '
             "firebreak legends)"
         )
     if not density_table.has_density:

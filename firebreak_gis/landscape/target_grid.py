@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from affine import Affine
 
-from firebreak_gis.errors import CRSError, GridError, ParameterError
+from firebreak_gis.errors import CRSError, GridError, InputError, ParameterError
 from firebreak_gis.grid import SAME_GRID_TOLERANCE, Grid, crs_name, parse_crs
 from firebreak_gis.projections import (
     convergence,
@@ -47,10 +47,25 @@ class Account:
         One sentence for each step.
     warnings
         What the user should look at.
+    strict
+        Whether to refuse what would be warned of.
     """
 
     alignment: list[str] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
+    strict: bool = False
+
+    def warn(self, text: str) -> None:
+        """Keep a warning.
+
+        Raises
+        ------
+        InputError
+            In place of it, if strict.
+        """
+        if self.strict:
+            raise InputError(f"{text}; refused by --strict")
+        self.warnings.append(text)
 
 
 def choose_grid(
@@ -223,9 +238,7 @@ def _common_box(layers: Mapping[str, Header], target: CRS | None, account: Accou
             f"(in {crs_name(target)}: {told}); are they of the same place, and are their CRS the true ones?"
         )
     if share < 0.99:
-        account.warnings.append(
-            f"the layers overlap only in part: {share:.0%} of the {smallest} layer is covered by all"
-        )
+        account.warn(f"the layers overlap only in part: {share:.0%} of the {smallest} layer is covered by all")
     return shared
 
 
@@ -291,7 +304,7 @@ def _warn_of_north(grid: Grid, account: Account) -> None:
     left, bottom, right, top = grid.bounds
     angle = convergence(grid.crs, (left + right) / 2, (bottom + top) / 2)
     if abs(angle) > CONVERGENCE_LIMIT:
-        account.warnings.append(
+        account.warn(
             f"north of the grid lies {angle:.1f} degrees clockwise from true north in "
             f"{crs_name(grid.crs)}; wind directions are "
             "taken from the north of the grid"

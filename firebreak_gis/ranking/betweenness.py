@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 #: Burnable cells up to which the default is exact.
 EXACT_CELLS = 20_000
 
+#: Bytes at the peak beside the network: a cell, a cell and thread; measured.
+MEMORY = (240, 0)
+
 
 @dataclass(frozen=True)
 class Params:

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     from firebreak_gis.progress import Progress
     from firebreak_gis.setting import Setting
 
+#: Bytes at the peak beside the network: a cell, a cell and thread; measured.
+MEMORY = (275, 0)
+
 
 @dataclass(frozen=True)
 class Params:

@@ -10,7 +10,7 @@ before the next. With a `residual` above 0 the width is chosen by simulated fire
 to light. Cells in no wall come last,
 those of large compartments first.
 
-Cost: about n ** 1.35; on two cores 2 s for 43,000 and 8 s for 172,000 cells. Memory about 200 B a cell and thread.
+Cost: about n ** 1.35; on two cores 2 s for 43,000 and 8 s for 172,000 cells. Memory about 400 B a cell and 60 B a cell and thread.
 Source: vertex cuts by flow between the ends of the map, Schild, Sommer 2015, doi 10.1007/978-3-319-20086-6_22;
 warm starts, Hamann, Strasser 2018, doi 10.1145/3173045; order of building, Horn 1972, doi 10.1137/0123021.
 """
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
     from firebreak_gis.setting import Setting
+
+#: Bytes at the peak beside the network: a cell, a cell and thread; measured.
+MEMORY = (400, 60)
 
 #: Walls of equal cost are many, and the order of the cells decides between them: turned maps give plans that are
 #: equally good, not the same cell by cell.

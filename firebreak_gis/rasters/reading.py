@@ -38,12 +38,15 @@ class Cells:
     valid
         (rows, cols) bool.
     notes
-        Sentences on what was done, for the record.
+        Sentences on what may be wrong with them.
+    said
+        Sentences on what was done, as the file asks for it.
     """
 
     values: np.ndarray
     valid: np.ndarray
     notes: tuple[str, ...] = ()
+    said: tuple[str, ...] = ()
 
 
 def read_cells(header: Header, window: Window | None = None, *, strict: bool = False, sentinels: bool = True) -> Cells:
@@ -67,7 +70,7 @@ def read_cells(header: Header, window: Window | None = None, *, strict: bool = F
     """
     window = window or (0, 0, *header.shape)
     values, valid = _stored(header, window)
-    notes = list(header.notes)
+    notes, said = list(header.notes), list[str]()
     for value in header.nodata:
         valid &= ~_is_value(values, value)
     if values.dtype.kind == "f":
@@ -93,10 +96,10 @@ def read_cells(header: Header, window: Window | None = None, *, strict: bool = F
         )
     if header.scale != 1 or header.offset != 0:
         values = values.astype(np.float64) * header.scale + header.offset
-        notes.append(
+        said.append(
             f"stored numbers were multiplied by {header.scale:g} and {header.offset:g} was added, as the file says"
         )
-    return Cells(values, valid, tuple(notes))
+    return Cells(values, valid, tuple(notes), tuple(said))
 
 
 def read_raster(
@@ -148,7 +151,7 @@ def read_raster(
             else np.float64
         )
         values = np.where(valid, values, np.nan).astype(exact)
-    return grid.dataarray(values, "raster", units=header.units, notes=list(cells.notes))
+    return grid.dataarray(values, "raster", units=header.units, notes=[*cells.notes, *cells.said])
 
 
 def read_variable(
