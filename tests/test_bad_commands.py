@@ -96,6 +96,11 @@ COMMANDS = {
     ),
     "folder is a file": (text("file"), [*PLAN, "-o", "file"], 2, ["is a file"]),
     "folder under a file": (text("file"), [*PLAN, "-o", "file/out"], 4, ["file"]),
+    "network too large": (None, ["rank", "net.tif", "-o", "p.tif", "--max-memory", "200MB"], 5, ["rank on 24 x 31"]),
+    "landscape too large": (
+        lambda f: call("align", *LAYERS, "-o", "land"), ["network", "land", "-o", "n.tif", "--max-memory", "200MB"], 5,
+        ["network on 24 x 31"],
+    ),
     "folder missing": (None, ["rank", "net.tif", "-o", "no/p.tif"], 4, ["no", "does not exist"]),
     "dry run, output exists": (text("out/run.json"), [*PLAN, "-o", "out", "--dry-run"], 4, ["run.json exists"]),
     "dry run, budget above 1": (None, [*PLAN, "-o", "out", "--budget", "2", "--dry-run"], 2, ["budget is 2"]),

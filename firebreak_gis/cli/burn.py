@@ -19,6 +19,7 @@ from firebreak_gis.cli.session import Session
 @options.residual
 @options.fires
 @options.seed
+@options.fitting("burn")
 @options.common
 def command(session: Session, network: str, output: str, mask: str | None, sizes: str | None, **given: Any) -> None:
     """Burn NETWORK many times and write how often each cell burns.

@@ -49,6 +49,7 @@ OUTPUTS = {
 @stakes.stakes
 @options.fires
 @options.seed
+@options.fitting("compare")
 @options.common
 def command(session: Session, network: str, output: str, method_list: str, **given: Any) -> None:
     """Compare rankings on NETWORK: expected burnt area, value lost, worst fires and leverage, with intervals.

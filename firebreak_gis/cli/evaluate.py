@@ -55,6 +55,7 @@ OUTPUTS = {
 @click.option("--alpha", type=float, default=0.01, show_default=True, help="Significance threshold.")
 @options.fires
 @options.seed
+@options.fitting("evaluate")
 @options.common
 def command(session: Session, network: str, output: str, method_list: str, **given: Any) -> None:
     """Judge rankings on NETWORK: mean, 90 % percentile and maximum of the burnt share at every budget.

@@ -16,6 +16,7 @@ from firebreak_gis.cli.session import Session
 @click.argument("folder", type=click.Path(file_okay=False))
 @options.output_file("Eight-band GeoTIFF")
 @options.spread
+@options.fitting("network")
 @options.common
 def command(session: Session, folder: str, output: str, **given: Any) -> None:
     """Build the spread network of the landscape in FOLDER (made by align).

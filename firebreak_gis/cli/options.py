@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any, TypeVar
 
 import click
@@ -11,7 +12,7 @@ import click
 from firebreak_gis import methods
 from firebreak_gis.cli import kinds
 from firebreak_gis.cli.session import Session
-from firebreak_gis.errors import ParameterError
+from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.manifest import read_config
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -109,6 +110,40 @@ def dry_run(command: F) -> F:
     )(command)
 
 
+_max_memory = click.option(
+    "--max-memory", metavar="SIZE", help="Refuse work that needs more, e.g. 4GB [default: most of what there is]."
+)
+
+
+def fitting(work: str) -> Callable[[F], F]:
+    """--max-memory, held against what the command needs for a network (or folder) of the size that its header tells."""
+
+    def decorate(command: F) -> F:
+        @functools.wraps(command)
+        def wrapper(*args: Any, max_memory: str | None, **kwargs: Any) -> Any:
+            _require_room(work, kwargs, byte_size(max_memory))
+            return command(*args, **kwargs)
+
+        return _max_memory(wrapper)  # type: ignore[return-value]
+
+    return decorate
+
+
+def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -> None:
+    from firebreak_gis import memory
+    from firebreak_gis.rasters import read_header
+
+    try:
+        source = given["network"] if "network" in given else Path(given["folder"]) / "elevation.tif"
+        rows, cols = read_header(source, band=1).shape
+    except InputError:
+        return  # the command says it better
+    names = [name for _, name, _ in methods_list(given["method_list"])] if "method_list" in given else []
+    names += [given["method"]] if "method" in given else []
+    needed = memory.bytes_for(work, rows * cols, method=",".join(names))
+    memory.require_memory(needed, f"firebreak {work} on {rows} x {cols} cells", max_memory=max_memory)
+
+
 def output_file(what: str) -> Callable[[F], F]:
     """-o FILE and --overwrite."""
 
@@ -199,11 +234,7 @@ def landscape(command: F) -> F:
         click.option(
             "--remote", is_flag=True, help="Allow DEM, VEGETATION and DENSITY to be network addresses or in archives."
         ),
-        click.option(
-            "--max-memory",
-            metavar="SIZE",
-            help="Refuse work that needs more, e.g. 4GB [default: most of what is free].",
-        ),
+        _max_memory,
     ]
     return _apply(options, command)
 
@@ -433,7 +464,7 @@ def byte_size(text: str | None) -> int | None:
     factor = {"K": 2**10, "M": 2**20, "G": 2**30, "T": 2**40}.get(words[-1:], 1)
     try:
         size = int(float(words.rstrip("KMGT")) * factor)
-    except ValueError:
+    except (ValueError, OverflowError):
         size = 0
     if size <= 0:
         raise ParameterError(f"--max-memory got {text!r}, expected a size such as 4GB")

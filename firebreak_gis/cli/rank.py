@@ -16,6 +16,7 @@ from firebreak_gis.cli.session import Session
 @options.ranking
 @stakes.stakes
 @options.seed
+@options.fitting("rank")
 @options.common
 def command(session: Session, network: str, output: str, **given: Any) -> None:
     """Rank the cells of NETWORK by the order in which they should be cut: higher is earlier."""

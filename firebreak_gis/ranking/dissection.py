@@ -10,7 +10,8 @@ before the next. With a `residual` above 0 the width is chosen by simulated fire
 to light. Cells in no wall come last,
 those of large compartments first.
 
-Cost: about n ** 1.35; on two cores 2 s for 43,000 and 8 s for 172,000 cells. Memory about 400 B a cell and 60 B a cell and thread.
+Cost: about n ** 1.35; on two cores 2 s for 43,000 and 8 s for 172,000 cells. Memory about 400 B a cell, and 60 B
+a cell and thread.
 Source: vertex cuts by flow between the ends of the map, Schild, Sommer 2015, doi 10.1007/978-3-319-20086-6_22;
 warm starts, Hamann, Strasser 2018, doi 10.1145/3173045; order of building, Horn 1972, doi 10.1137/0123021.
 """

@@ -1,0 +1,82 @@
+"""Estimated against measured memory of the commands: `python -m tests.benchmarks.estimates 1000 3000`.
+
+Each command runs in a process of its own, whose peak the operating system tells. Rankings that take long on large
+grids are left out unless they are named after the sizes, e.g. `... 1000 dissection,betweenness`.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from firebreak_gis import memory
+from firebreak_gis.grid import Grid, parse_crs
+from firebreak_gis.rasters import write_raster
+
+QUICK = ("flammability", "random", "bonacich")
+
+
+def layers(folder: Path, size: int) -> list[str]:
+    """Write hills, fuel in patches and densities of `size` x `size` cells; return the paths."""
+    from affine import Affine
+
+    grid = Grid((size, size), Affine(20.0, 0, 586_440.0, 0, -20.0, 3_999_900.0), parse_crs("EPSG:32635"))
+    rng = np.random.default_rng(7)
+    y, x = np.mgrid[0:size, 0:size].astype(np.float32) / 25
+    blocks = rng.integers(0, 4, (size // 7 + 1, size // 7 + 1), dtype=np.uint8)
+    planes = {
+        "elevation": (300 + 200 * np.sin(x) * np.cos(0.7 * y)).astype(np.float32),
+        "vegetation": np.kron(blocks, np.ones((7, 7), np.uint8))[:size, :size],
+        "density": np.kron(1 + blocks[::-1] % 3, np.ones((7, 7), np.uint8))[:size, :size],
+    }
+    return [str(write_raster(folder / f"{name}.tif", grid.dataarray(v, name))) for name, v in planes.items()]
+
+
+def peak(words: list[str]) -> int:
+    """Bytes that `firebreak WORDS` held at its peak."""
+    child = os.fork()
+    if child == 0:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        os.execv(sys.executable, [sys.executable, "-m", "firebreak_gis", *words])
+    _, status, usage = os.wait4(child, 0)
+    if os.waitstatus_to_exitcode(status) != 0:
+        raise SystemExit(f"firebreak {' '.join(words)} failed")
+    # Kilobytes, but bytes on macOS.
+    return usage.ru_maxrss * (1 if sys.platform == "darwin" else 1024)
+
+
+def measure(size: int, rankings: tuple[str, ...], *, whole: bool = True) -> dict[str, tuple[int, int]]:
+    """Estimate and peak of every command on `size` x `size` cells, in bytes."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        paths, network = layers(folder, size), str(folder / "network.tif")
+        work = {
+            "align": ["align", *paths, "-o", str(folder / "land")],
+            "network": ["network", str(folder / "land"), "-o", network],
+            **{f"rank {m}": ["rank", network, "--method", m, "-o", str(folder / f"{m}.tif")] for m in rankings},
+            "burn": ["burn", network, "-o", str(folder / "f.tif")],
+        }
+        if whole:
+            plan = ["plan", *paths, "--method", rankings[0], "-o", str(folder / "plan")]
+            work |= {"plan": plan}
+        result = {}
+        for what, words in work.items():
+            command, _, method = what.partition(" ")
+            method = rankings[0] if command == "plan" else method
+            result[what] = memory.bytes_for(command, size * size, method=method or None), peak([*words, "-q"])
+        return result
+
+
+if __name__ == "__main__":
+    given = [word for word in sys.argv[1:] if not word.isdigit()]
+    names = tuple(given[0].split(",")) if given else QUICK
+    for number in [int(word) for word in sys.argv[1:] if word.isdigit()] or [1000]:
+        for row, (estimated, measured) in measure(number, names).items():
+            print(
+                f"{number:5} {row:20} estimated {estimated / 1e6:7.0f} MB, measured {measured / 1e6:7.0f} MB, "
+                f"ratio {estimated / measured:.2f}"
+            )

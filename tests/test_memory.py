@@ -1,0 +1,55 @@
+"""Memory: estimates are near what is measured, limits are kept, sizes are read."""
+
+import os
+
+import pytest
+
+from firebreak_gis import memory, methods
+from firebreak_gis.cli import options
+from firebreak_gis.errors import ParameterError, ResourceError
+from tests.benchmarks.estimates import measure
+
+
+@pytest.mark.skipif(not hasattr(os, "wait4"), reason="this system does not tell the peak of a process")
+def test_estimates_are_near_the_measured_peak_on_a_million_cells():
+    """Larger grids, whole plans and slow rankings: `python -m tests.benchmarks.estimates`."""
+    for what, (estimated, measured) in measure(1000, ("flammability",), whole=False).items():
+        assert 1 / 1.5 < estimated / measured < 1.5, (what, estimated, measured)
+
+
+def test_every_ranking_tells_what_it_needs():
+    for name in methods.names("ranking"):
+        assert hasattr(methods.load("ranking", name), "MEMORY"), name
+        cell, thread = methods.memory_of("ranking", name)
+        assert 0 <= thread <= cell <= 1000
+
+
+@pytest.mark.parametrize("command", ["align", "network", "rank", "burn", "evaluate", "compare", "plan"])
+def test_more_cells_and_threads_need_more(command):
+    method = None if command in ("align", "network", "burn") else "dissection"
+    needs = [memory.bytes_for(command, cells, method=method, threads=2) for cells in (0, 10**5, 10**6, 10**8)]
+    assert sorted(needs) == needs
+    assert needs[0] > 1e8
+    assert needs[2] > needs[0] + 80 * 10**6
+    few, many = (memory.bytes_for(command, 10**7, method=method, threads=n) for n in (1, 64))
+    assert few <= many
+
+
+def test_what_does_not_fit_is_refused():
+    memory.require_memory(10**9, "work", max_memory=10**9)
+    with pytest.raises(ResourceError, match=r"work needs about 2 GB of memory, 1 GB are allowed.*--max-memory"):
+        memory.require_memory(2 * 10**9, "work", max_memory=10**9)
+    assert 10**8 < memory.allowed() < memory.memory_limit()
+
+
+@pytest.mark.parametrize(
+    ("text", "size"), [("4GB", 4 << 30), ("800 MiB", 800 << 20), ("1.5g", 3 << 29), ("1000", 1000), (None, None)]
+)
+def test_sizes(text, size):
+    assert options.byte_size(text) == size
+
+
+@pytest.mark.parametrize("text", ["", "much", "-4GB", "0", "nan", "inf GB"])
+def test_words_that_are_no_sizes(text):
+    with pytest.raises(ParameterError, match="such as 4GB"):
+        options.byte_size(text)
