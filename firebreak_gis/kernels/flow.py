@@ -408,3 +408,28 @@ def pieces_after(near: np.ndarray, cut: np.ndarray) -> np.ndarray:
                     tail += 1
         count += 1
     return label
+
+
+@kernel
+def thin(near: np.ndarray, cut: np.ndarray) -> None:
+    """Clear `cut` in the cells that join no two pieces; minimum cuts hold such cells only where cutting is free."""
+    label = pieces_after(near, cut)
+    fresh = near.shape[0]
+    again = True
+    while again:
+        again = False
+        for least in (1, 0):  # a cell inside the wall is left last, as a piece of its own
+            for v in range(near.shape[0]):
+                if cut[v] == 0 or again and least == 0:
+                    continue
+                own, several = -1, False
+                for d in range(8):
+                    u = near[v, d]
+                    if u >= 0 and cut[u] == 0:
+                        several |= own >= 0 and label[u] != own
+                        own = label[u]
+                if not several and (own >= 0 or least == 0):
+                    cut[v] = 0
+                    label[v] = own if own >= 0 else fresh
+                    fresh += 1
+                    again = True

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, patch_links, pieces_after
+from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, patch_links, pieces_after, thin
 from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
 from firebreak_gis.network import neighbour
 from firebreak_gis.placement.widening import wall_cost
@@ -96,10 +96,12 @@ class _Patches:
     def cut(self, cells: np.ndarray, directions: Sequence[int]) -> tuple[float, np.ndarray]:
         """Score and mask of the best wall over the directions."""
         mask = np.zeros(cells.size, np.uint8)
+        near = self.near(cells)
         score, _ = best_cut(
-            self.near(cells), self.capacity[cells], self.ignition[cells], self.value[cells],
+            near, self.capacity[cells], self.ignition[cells], self.value[cells],
             self.orders(cells, directions), self.shares, mask,
         )  # fmt: skip
+        thin(near, mask)
         return score, mask
 
     def loss(self, cells: np.ndarray) -> float:
