@@ -420,7 +420,7 @@ def thin(near: np.ndarray, cut: np.ndarray) -> None:
         again = False
         for least in (1, 0):  # a cell inside the wall is left last, as a piece of its own
             for v in range(near.shape[0]):
-                if cut[v] == 0 or again and least == 0:
+                if cut[v] == 0 or (again and least == 0):
                     continue
                 own, several = -1, False
                 for d in range(8):

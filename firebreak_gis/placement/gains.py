@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.placement.fires import Fires, burn_pieces, design_fires, pieces
-from firebreak_gis.progress import part
+from firebreak_gis.placement.rounds import in_rounds
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
@@ -80,30 +80,17 @@ def by_gain(
     numpy.ndarray
         (rows, cols) float64.
     """
-    free = (network.burnable & ~setting.protected).ravel()
     cost, value = setting.cost.ravel(), setting.value.ravel()
     if not network.burnable.any():
         return np.zeros(network.shape)
     fires = design_fires(network, setting, n_runs=n_runs, seed=seed)
-    alive = network.burnable.ravel().copy()
-    order: list[np.ndarray] = []
-    budget = cost.sum()
-    spent = 0.0
-    while True:
-        step = part(progress, min(spent / (until * budget), 1.0), min(spent / (until * budget) + 0.01, 1.0))
+    least = 1e-12 * float(cost.sum())
+
+    def scores(alive: np.ndarray, step: Progress) -> np.ndarray | None:
         gain, lost = mean_gain(kernel, fires, alive, value, progress=step)
-        candidates = np.flatnonzero(free & alive)
         # Only what can burn is ranked by what it saves; free cells come first.
-        ratio = gain[candidates] / np.maximum(cost[candidates], 1e-12 * budget)
-        ranked = candidates[np.argsort(-ratio, kind="stable")]
-        if spent >= until * budget or lost == 0.0 or ranked.size == 0:
-            order.append(ranked)
-            break
-        count = max(int(np.searchsorted(np.cumsum(cost[ranked]), recompute_every * budget, side="right")), 1)
-        order.append(ranked[:count])
-        alive[ranked[:count]] = False
-        spent += float(cost[ranked[:count]].sum())
-    cells = np.concatenate(order)
-    priority = np.zeros(alive.size)
-    priority[cells] = np.arange(cells.size, 0, -1.0)
-    return priority.reshape(network.shape)
+        return gain / np.maximum(cost, max(least, 1e-300)) if lost > 0.0 else None
+
+    return in_rounds(
+        network, setting, scores, recompute_every=recompute_every, until=until, progress=progress
+    )

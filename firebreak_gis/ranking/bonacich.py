@@ -6,8 +6,11 @@ eigenvalue of A. beta sets how far a cell looks: 0 is the degree, towards 1 the 
 
 lambda_max is enclosed between two bounds and the solution is accurate to 1e-10 in every cell. A network of several
 islands has one lambda_max, that of the strongest. A network without cycles has lambda_max = 0: the formula has no
-value there and the degree is returned. Cost: a few products with A for lambda_max, then about 23 / -ln(beta)
-products of 1-2 ns a cell each; memory about 64 B a cell. Ties fall to the cell first in (row, col).
+value there and the degree is returned. With `recompute_every` the centrality is found anew on the network
+that is left after every few cuts, and the order of removal is returned.
+
+Cost: a few products with A for lambda_max, then about 23 / -ln(beta) products of 1-2 ns a cell each, for every round;
+memory about 64 B a cell. Ties fall to the cell first in (row, col).
 Source: Bonacich 1987, doi 10.1086/228631; Russo, Russo, Siettos 2016, doi 10.1371/journal.pone.0163226.
 """
 
@@ -41,6 +44,13 @@ class Params:
     orientation: str = parameter(
         "in", text="whether fire arriving at the cell (in) or leaving it (out) counts", choices=("in", "out")
     )
+    recompute_every: float = parameter(
+        0.0, text="share of the cost of all fuel that is cut before scores are found anew on what is left; 0: never",
+        minimum=0.0, maximum=1.0,
+    )  # fmt: skip
+    until: float = parameter(
+        0.2, text="share of the cost of all fuel up to which scores are found anew", minimum=1e-6, maximum=1.0
+    )
 
 
 def rank(
@@ -51,7 +61,16 @@ def rank(
     seed: int,
     progress: Progress,
 ) -> np.ndarray:
-    """Return the Bonacich centrality, (rows, cols) float64."""
+    """Return the Bonacich centrality, or the order of removal, (rows, cols) float64."""
+    from firebreak_gis.placement.rounds import centrality_in_rounds
+
+    return centrality_in_rounds(
+        network, setting, lambda left, step: _scores(left, params, step),
+        recompute_every=params.recompute_every, until=params.until, progress=progress,
+    )  # fmt: skip
+
+
+def _scores(network: SpreadNetwork, params: Params, progress: Progress) -> np.ndarray:
     from firebreak_gis.kernels.linear import katz
     from firebreak_gis.kernels.spectrum import spectral_radius
 
