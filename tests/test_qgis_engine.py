@@ -320,6 +320,7 @@ def test_only_the_chosen_method_gets_parameters():
     words = _plan(METHOD="bonacich", BONACICH_BETA=0.25, BETWEENNESS_PIVOTS=7)
     assert "beta=0.25" in _option(words, "--param")
     assert not [word for word in words if "pivots" in word]
+    assert not [word for word in _option(words, "--param") if not word.startswith("beta")], "defaults"
 
 
 def test_a_file_wins_over_the_default_choice():

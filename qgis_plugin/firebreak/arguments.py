@@ -49,7 +49,8 @@ def command_arguments(
             continue
         if field.method is not None:
             chooser, method = field.method
-            if values.get(chooser.upper()) == method:
+            # What was left at its default is left to the engine, which may know better, as with a budget.
+            if values.get(chooser.upper()) == method and value != field.default:
                 options += [field.flag, f"{field.option.partition(':')[2]}={_word(value)}"]
         elif not field.flag:
             positional.append(_word(value))

@@ -159,6 +159,7 @@ def _child(
         output.setChildId(child.childId())
         output.setChildOutputName(parameter)
         output.setPosition(QPointF(720, 80 + 100 * row))
+        output.setMandatory(True)  # without a file of breaks the burn after it would know of none
         outputs[text] = output
     child.setModelOutputs(outputs)
     model.addChildAlgorithm(child)

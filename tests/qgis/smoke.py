@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -20,6 +21,8 @@ ROOT = Path(__file__).resolve().parents[2]
 #: Debian's wrapper without `.bin` fails on every call.
 PROGRAM = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
 QUICK = ("RESOLUTION=90", "N_RUNS=10", "METHOD=degree")
+#: Libraries whose wheels crash QGIS.
+HARMFUL = ("rasterio", "numba", "geopandas", "shapely", "pyproj", "pyogrio", "xarray", "firebreak_gis")
 
 
 class Smoke:
@@ -52,7 +55,7 @@ class Smoke:
         """The plugin loads and lists its algorithms."""
         assert self.call("plugins", "enable", "firebreak").returncode == 0
         listed = self.call("list").stdout
-        for name in ("align", "network", "rank", "breaks", "plan", "burn", "evaluate"):
+        for name in ("align", "network", "rank", "breaks", "segments", "plan", "burn", "evaluate", "compare"):
             assert f"firebreak:{name}\t" in listed, listed
         shown = self.call("help", "firebreak:plan").stdout
         assert "INPUT_DEM" in shown
@@ -66,15 +69,75 @@ class Smoke:
         assert target.is_file()
         assert target.with_suffix(".qml").is_file()
         assert target.with_suffix(".png").is_file()
-        code = "import sys, rasterio; print(rasterio.open(sys.argv[1]).read(1).tobytes().hex())"
-        engine = [self.environment["FIREBREAK_PYTHON"], "-I", "-X", "utf8"]
         own = self.folder / "own"
         layers = [word.partition("=")[2] for word in self.layers]
-        words = ["plan", "--res", "90", "--runs", "10", "--method", "degree", "-q", "-o", str(own), *layers]
-        subprocess.run([*engine, "-m", "firebreak_gis", *words], check=True)
-        cells = [subprocess.run([*engine, "-c", code, str(path)], check=True, capture_output=True).stdout
-                 for path in (target, own / "breaks.tif")]  # fmt: skip
-        assert cells[0] == cells[1]
+        self.firebreak("plan", "--res", 90, "--runs", 10, "--method", "degree", "-o", own, *layers)
+        assert self.cells(target) == self.cells(own / "breaks.tif")
+
+    def firebreak(self, *words: object) -> None:
+        """Run the command line."""
+        engine = [self.environment["FIREBREAK_PYTHON"], "-I", "-X", "utf8", "-m", "firebreak_gis"]
+        subprocess.run([*engine, *map(str, words), "-q"], check=True)
+
+    def cells(self, path: Path) -> bytes:
+        """The values of a raster."""
+        code = "import sys, rasterio; print(rasterio.open(sys.argv[1]).read(1).tobytes().hex())"
+        engine = [self.environment["FIREBREAK_PYTHON"], "-I", "-X", "utf8", "-c", code, str(path)]
+        return subprocess.run(engine, check=True, capture_output=True).stdout
+
+    def check_model(self) -> None:
+        """The sample model runs, and what comes out is what the command line makes step by step."""
+        coarse, own, made = (self.folder / name for name in ("coarse", "steps", "model"))
+        made.mkdir()
+        own.mkdir()
+        self.firebreak("align", "--res", 90, "-o", coarse, *(word.partition("=")[2] for word in self.layers))
+        model = ROOT / "qgis_plugin" / "sample" / "breaks_and_burns.model3"
+        given = {
+            **{name: coarse / f"{file}.tif" for name, file in
+               (("dem", "elevation"), ("vegetation", "vegetation"), ("density", "density"))},
+            "budget": 0.05, "runs": 10, "breaks:Fire breaks": made / "breaks.tif",
+            "with:Burn frequency with the breaks": made / "with.tif",
+            "without:Burn frequency without breaks": made / "without.tif",
+        }  # fmt: skip
+        done = self.call("run", str(model), "--", *(f"{key}={value}" for key, value in given.items()))
+        assert done.returncode == 0, done.stdout + done.stderr
+        self.firebreak("network", "-o", own / "network.tif", coarse)
+        self.firebreak("rank", "-o", own / "priority.tif", own / "network.tif")
+        self.firebreak("breaks", "--budget", 0.05, "-o", own / "breaks.tif", own / "priority.tif")
+        burn = ("burn", "--runs", 10, own / "network.tif", "-o")
+        self.firebreak(*burn, own / "without.tif")
+        self.firebreak(*burn, own / "with.tif", "--breaks", own / "breaks.tif")
+        for name in ("breaks.tif", "with.tif", "without.tif"):
+            assert self.cells(made / name) == self.cells(own / name), name
+        left_out = [f"{key}={value}" for key, value in given.items() if not key.startswith("breaks")]
+        assert self.call("run", str(model), "--", *left_out).returncode != 0, "the second burn would have no breaks"
+
+    def check_isolation(self) -> None:
+        """A trap lies on the path of QGIS' Python for every library that would harm it; none springs."""
+        traps, mark, target = self.folder / "traps", self.folder / "sprung", self.folder / "isolated.tif"
+        traps.mkdir()
+        for name in (*HARMFUL, "sitecustomize"):
+            (traps / f"{name}.py").write_text(f"open({str(mark)!r}, 'a').write('{name} ')", encoding="utf-8")
+        done = self.plan(f"OUTPUT_BREAKS={target}", PYTHONPATH=str(traps))
+        assert done.returncode == 0, done.stderr
+        assert target.is_file()
+        assert set(mark.read_text(encoding="utf-8").split()) == {"sitecustomize"}, "which shows that the path counts"
+
+    def check_readme(self) -> None:
+        """The commands of the plugin's README give a planned break layer, in a copy of the checkout."""
+        clone = self.folder / "clone"
+        for name in ("qgis_plugin", "sample_data"):
+            shutil.copytree(ROOT / name, clone / name)
+        (clone / ".venv").symlink_to(Path(self.environment["FIREBREAK_PYTHON"]).parent.parent)
+        text = (ROOT / "qgis_plugin" / "README.md").read_text(encoding="utf-8")
+        commands = re.search(r"<!-- qgis_process -->\n```bash\n(.*?)```", text, re.DOTALL)
+        environment = {k: v for k, v in self.environment.items() if k not in ("FIREBREAK_PYTHON", "QGIS_PLUGINPATH")}
+        environment["QGIS_CUSTOM_CONFIG_PATH"] = str(clone / "config")
+        done = subprocess.run(["bash", "-euo", "pipefail", "-c", commands[1]], cwd=clone, env=environment, check=False,
+                              capture_output=True, text=True, timeout=240)  # fmt: skip
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert len(self.cells(clone / "out" / "breaks.tif")) > 1000
+        assert (clone / "out" / "segments.gpkg").is_file()
 
     def check_json(self) -> None:
         """With --json the results are data."""
@@ -174,7 +237,8 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="firebreak smoke ") as name:
         smoke = Smoke(Path(name))
         for check in (smoke.check_provider, smoke.check_plan, smoke.check_json, smoke.check_missing_engine,
-                      smoke.check_wrong_crs, smoke.check_stop):  # fmt: skip
+                      smoke.check_wrong_crs, smoke.check_stop, smoke.check_isolation, smoke.check_model,
+                      smoke.check_readme):  # fmt: skip
             begun = time.monotonic()
             check()
             print(f"{check.__name__.replace('_', ' ')}: {time.monotonic() - begun:.1f} s", flush=True)
