@@ -45,7 +45,7 @@ def begin():
     layers = {f"INPUT_{n.upper()}": str(folder / f"{n}.tif") for n in ("dem", "vegetation", "density")}
     processing.runAndLoadResults("firebreak:plan", {
         **layers, "BUDGET": BUDGET, "N_RUNS": FIRES, "OUTPUT_BREAKS": "TEMPORARY_OUTPUT",
-        "OUTPUT_FREQUENCY_WITH_BREAKS": "TEMPORARY_OUTPUT"})  # fmt: skip
+        "OUTPUT_SEGMENTS": "TEMPORARY_OUTPUT", "OUTPUT_FREQUENCY_WITH_BREAKS": "TEMPORARY_OUTPUT"})  # fmt: skip
     settle(1000, arrange)
 
 
@@ -61,7 +61,7 @@ def arrange():
         if node.name() in ("dem", "density", "vegetation"):
             node.setExpanded(False)
     layers = next(d for d in window.findChildren(QDockWidget) if d.objectName() == "Layers")
-    window.resizeDocks([layers, toolbox], [330, 260], Qt.Orientation.Horizontal)
+    window.resizeDocks([layers, toolbox], [380, 250], Qt.Orientation.Horizontal)
     iface.mapCanvas().zoomToFeatureExtent(QgsProject.instance().mapLayersByName("vegetation")[0].extent())
     iface.mapCanvas().refresh()
     settle(1500, show_form)
