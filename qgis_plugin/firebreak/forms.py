@@ -194,6 +194,7 @@ LABELS: Mapping[str, str] = {
     "mask": "Fire breaks",
     "budget": "Budget (by default a share of the fuel)",
     "budget_unit": "Unit of the budget",
+    "width": "Least width of the breaks [m]",
     "residual": "Share of the spread that a break lets through",
     "residuals": "Shares that breaks let through, separated by commas",
     "cost": "Cost of cutting per hectare",
@@ -246,6 +247,7 @@ HELP: Mapping[str, str] = {
 #: Ranges of numbers, None where open; the engine checks them again.
 RANGES: Mapping[str, tuple[float | None, float | None]] = {
     "budget": (0.0, None),
+    "width": (0.0, None),
     "residual": (0.0, 1.0),
     "alpha": (0.0, 1.0),
     "n_runs": (1, None),
