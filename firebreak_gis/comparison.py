@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import select_breaks
+from firebreak_gis.breaks import cells_to_cut, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.ignitions import IgnitionMode
+from firebreak_gis.judgement import judge, resamples
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.simulation import burn_curve, simulate
 
@@ -21,14 +22,13 @@ if TYPE_CHECKING:
 
 #: Added to the seed of the design, so that no plan is judged on fires that it has seen.
 FRESH = 7919
-#: Share of the worst runs that CVaR averages.
-WORST = 0.1
-_RESAMPLES = 500
+#: Ranks the cells for a budget and a residual, reporting its progress.
+Ranker = Callable[[float, float, Progress], "np.ndarray | xr.DataArray"]
 
 
 def compare_plans(
     network: SpreadNetwork,
-    priorities: Mapping[str, np.ndarray | xr.DataArray],
+    priorities: Mapping[str, np.ndarray | xr.DataArray | Ranker],
     *,
     budgets: Sequence[float],
     residuals: Sequence[float] = (0.0, 0.05, 0.1),
@@ -47,7 +47,8 @@ def compare_plans(
     network
         The spread network before cutting.
     priorities
-        Priority raster by label.
+        By label: a priority raster, or a function ``(budget, residual, progress)`` that returns the one of the plan
+        for them; where it returns the same object it has the same plan.
     budgets
         Shares d_f of the cells that hold fuel.
     residuals
@@ -85,34 +86,24 @@ def compare_plans(
         "threads": threads,
     }
     worth = network.burnable.astype(np.float64) if value is None else value
-    untreated = simulate(network, value=worth, progress=part(report, 0.0, 0.05, "untreated: "), **fires)
+    untreated = simulate(network, value=worth, progress=part(report, 0.0, 0.02, "untreated: "), **fires)
     shape = (len(priorities), len(budgets), len(residuals), n_runs)
     burnt, lost = np.zeros(shape), np.zeros(shape)
-    cut = np.zeros(len(budgets), dtype=np.int64)
-    n_steps = len(priorities) * len(residuals)
-    for i, (label, priority) in enumerate(priorities.items()):
-        masks = [select_breaks(priority, budget=b, burnable=network.burnable) for b in budgets]
-        cut[:] = [m.attrs["cells_cut"] for m in masks]
-        for j, residual in enumerate(residuals):
-            done = (i * len(residuals) + j) / n_steps
-            step = part(
-                report, 0.05 + 0.95 * done, 0.05 + 0.95 * (done + 1 / n_steps), f"{label}, residual {residual:g}: "
-            )
-            if residual == 0.0 and value is None:
-                cells = burn_curve(network, priority, budgets=budgets, progress=step, **fires).to_numpy().T
-                burnt[i, :, j] = lost[i, :, j] = cells
-                continue
-            for k, mask in enumerate(masks):
-                run = simulate(
-                    network,
-                    breaks=mask,
-                    residual=residual,
-                    value=worth,
-                    progress=part(step, k / len(masks), (k + 1) / len(masks)),
-                    **fires,
-                )
-                burnt[i, k, j] = run["fire_size"]
-                lost[i, k, j] = run["value_lost"]
+    steps = [(i, j) for i in range(len(priorities)) for j in range(len(residuals))]
+    for n, (i, j) in enumerate(steps):
+        (label, priority), residual = list(priorities.items())[i], residuals[j]
+        span = (0.02 + 0.98 * n / len(steps), 0.02 + 0.98 * (n + 1) / len(steps))
+        step = part(report, *span, f"{label}, residual {residual:g}: ")
+        ranked: list[Any] = [
+            priority(b, residual, part(step, 0.6 * k / len(budgets), 0.6 * (k + 1) / len(budgets)))
+            if callable(priority)
+            else priority
+            for k, b in enumerate(budgets)
+        ]
+        burnt[i, :, j], lost[i, :, j] = _burn(
+            network, ranked, budgets, residual, None if value is None else worth, part(step, 0.6, 1.0), fires
+        )
+    cut = [cells_to_cut(b, network.n_burnable) for b in budgets]
     dims = ("ranking", "budget", "residual", "run")
     return xr.Dataset(
         {
@@ -132,55 +123,65 @@ def compare_plans(
     )
 
 
+def _burn(
+    network: SpreadNetwork,
+    ranked: list[Any],
+    budgets: Sequence[float],
+    residual: float,
+    value: np.ndarray | None,
+    progress: Progress,
+    fires: Mapping[str, Any],
+) -> tuple[np.ndarray, np.ndarray]:
+    """Cells burnt and value lost, (n_budgets, n_runs) each, under the ranking of every budget."""
+    shape = (len(budgets), int(fires["n_runs"]))
+    burnt, lost = np.zeros(shape), np.zeros(shape)
+    if residual == 0.0 and value is None:
+        for k, first in enumerate(ranked):
+            same = [m for m, other in enumerate(ranked) if other is first]
+            if same[0] == k:
+                span = part(progress, k / len(budgets), (k + len(same)) / len(budgets))
+                some = [budgets[m] for m in same]
+                burnt[same] = burn_curve(network, first, budgets=some, progress=span, **fires).to_numpy().T
+        return burnt, burnt
+    for k, (priority, budget) in enumerate(zip(ranked, budgets, strict=True)):
+        run = simulate(
+            network,
+            breaks=select_breaks(priority, budget=budget, burnable=network.burnable),
+            residual=residual,
+            value=value,
+            progress=part(progress, k / len(budgets), (k + 1) / len(budgets)),
+            **fires,
+        )
+        burnt[k] = run["fire_size"]
+        lost[k] = run["fire_size"] if value is None else run["value_lost"]
+    return burnt, lost
+
+
 def comparison_table(result: xr.Dataset) -> pd.DataFrame:
     """One row a ranking, budget and residual, each measure with its 95 % interval.
 
-    Columns: method, d_f, residual, cells_cut, ha_cut, R (mean burnt share), burnt_ha (expected), p90_ha (90 %
-    percentile), cvar_ha (mean of the worst 10 % of runs), value_lost, leverage (ha saved per ha treated, paired);
-    `_low` and `_high` are bootstrap percentiles over runs.
+    Columns: method, d_f, residual, cells_cut, ha_cut, R (mean burnt share), and those of `judgement.judge`.
     """
     import pandas as pd
 
     area, n_burnable = float(result.attrs["cell_area_ha"]), int(result.attrs["n_burnable"])
-    rng = np.random.default_rng(int(result.attrs["fire_seed"]))
-    picks = rng.integers(0, result.sizes["run"], (_RESAMPLES, result.sizes["run"]))
-    untreated = result["burnt_untreated"].to_numpy() * area
+    picks = resamples(result.sizes["run"], int(result.attrs["fire_seed"]))
+    untreated = result["burnt_untreated"].to_numpy()
     rows = []
     for label in result["ranking"].to_numpy().tolist():
         for budget, cells in zip(result["budget"].to_numpy(), result["cells_cut"].to_numpy(), strict=True):
             for residual in result["residual"].to_numpy():
                 chosen = result.sel(ranking=label, budget=budget, residual=residual)
-                burnt = chosen["burnt"].to_numpy() * area
-                saved = (untreated - burnt) / max(cells * area, area)
+                burnt, lost = chosen["burnt"].to_numpy(), chosen["lost"].to_numpy()
                 row: dict[str, Any] = {
                     "method": label,
                     "d_f": float(budget),
                     "residual": float(residual),
                     "cells_cut": int(cells),
                     "ha_cut": cells * area,
-                    "R": burnt.mean() / (n_burnable * area),
+                    "R": burnt.mean() / n_burnable,
                 }
-                for name, runs, measure in (
-                    ("burnt_ha", burnt, _mean),
-                    ("p90_ha", burnt, _p90),
-                    ("cvar_ha", burnt, _cvar),
-                    ("value_lost", chosen["lost"].to_numpy(), _mean),
-                    ("leverage", saved, _mean),
-                ):
-                    low, high = np.percentile(measure(runs[picks]), [2.5, 97.5])
-                    row |= {name: float(measure(runs[None])[0]), f"{name}_low": float(low), f"{name}_high": float(high)}
-                rows.append(row)
+                rows.append(
+                    row | judge(burnt, lost, untreated, treated_ha=cells * area, cell_area_ha=area, picks=picks)
+                )
     return pd.DataFrame(rows)
-
-
-def _mean(runs: np.ndarray) -> np.ndarray:
-    return np.asarray(runs.mean(axis=1))
-
-
-def _p90(runs: np.ndarray) -> np.ndarray:
-    return np.asarray(np.percentile(runs, 90, axis=1))
-
-
-def _cvar(runs: np.ndarray) -> np.ndarray:
-    count = max(1, round(WORST * runs.shape[1]))
-    return np.asarray(np.sort(runs, axis=1)[:, -count:].mean(axis=1))

@@ -10,7 +10,9 @@ import numpy as np
 from firebreak_gis import methods
 from firebreak_gis.breaks import removal_order
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.placement.refinement import refine as improve
 from firebreak_gis.placement.thickening import thickened
+from firebreak_gis.progress import part
 from firebreak_gis.ranking import rank
 
 if TYPE_CHECKING:
@@ -34,6 +36,7 @@ def design(
     params: Mapping[str, Any] | None = None,
     elevation: np.ndarray | None = None,
     roads: np.ndarray | None = None,
+    refine: bool = False,
     seed: int = 0,
     progress: Progress | None = None,
 ) -> xr.DataArray:
@@ -54,6 +57,9 @@ def design(
         Parameters of the method; they win over what the plan tells.
     elevation, roads
         (rows, cols), for methods that follow ridges and roads.
+    refine
+        Whether the plan is improved by local search, see `placement.refinement.refine`; then the ranking is good for
+        this budget only, and a width is not kept.
 
     Returns
     -------
@@ -65,15 +71,63 @@ def design(
     ParameterError
         As `ranking.rank`, or if the parameters ask for less than `width`.
     """
-    given = dict(params or {})
     told = plan_params(
-        method, given, share=cost_share(network, setting, budget, unit), residual=residual, width=width,
+        method, params or {}, share=cost_share(network, setting, budget, unit), residual=residual, width=width,
         elevation=elevation, roads=roads,
     )  # fmt: skip
-    priority = rank(network, method, setting=setting, seed=seed, progress=progress, **{**told, **given})
+    share = 0.5 if refine else 1.0
+    priority = _ranked(
+        network, method, setting, {**told, **(params or {})}, width, seed, part(progress, 0.0, share)
+    )  # fmt: skip
+    if refine:
+        better = improve(
+            network, setting, priority, budget=budget, unit=unit, residual=residual, seed=seed,
+            progress=part(progress, share, 1.0, "local search: "),
+        )  # fmt: skip
+        return priority.copy(data=np.where(np.isneginf(priority), -np.inf, better))
+    return priority
+
+
+class Designs:
+    """The plans of one method for any budget (a share) and residual; equal ones are made once.
+
+    Parameters
+    ----------
+    network, method, setting, width, params, elevation, roads, seed
+        As in `design`.
+    """
+
+    def __init__(
+        self, network: SpreadNetwork, method: str, *, setting: Setting, width: int = 1,
+        params: Mapping[str, Any] | None = None, elevation: np.ndarray | None = None,
+        roads: np.ndarray | None = None, seed: int = 0,
+    ) -> None:  # fmt: skip
+        self._network, self._method, self._setting, self._seed = network, method, setting, seed
+        self._params, self._width = dict(params or {}), width
+        self._planes = {"elevation": elevation, "roads": roads}
+        self._made: dict[tuple[Any, ...], xr.DataArray] = {}
+
+    def __call__(self, budget: float, residual: float, progress: Progress) -> xr.DataArray:
+        """Return the priority of the plan; the same object for equal plans."""
+        told = plan_params(
+            self._method, self._params, share=budget, residual=residual, width=self._width, **self._planes
+        )
+        key = tuple(sorted((k, v) for k, v in told.items() if k not in self._planes))
+        if key not in self._made:
+            every = {**told, **self._params}
+            self._made[key] = _ranked(
+                self._network, self._method, self._setting, every, self._width, self._seed, progress
+            )
+        return self._made[key]
+
+
+def _ranked(
+    network: SpreadNetwork, method: str, setting: Setting, params: Mapping[str, Any], width: int, seed: int,
+    progress: Progress | None,
+) -> xr.DataArray:  # fmt: skip
+    priority = rank(network, method, setting=setting, seed=seed, progress=progress, **params)
     if width > 1 and not _wide_by_itself(method):
-        wide = thickened(removal_order(priority), network, setting, width)
-        priority = priority.copy(data=wide)
+        return priority.copy(data=thickened(removal_order(priority), network, setting, width))
     return priority
 
 
@@ -98,7 +152,10 @@ def plan_params(
     """
     known = {p["name"]: p for p in methods.describe("ranking", method)["parameters"]}
     told: dict[str, Any] = {"residual": residual, "elevation": elevation, "roads": roads}
-    if "budget" in known:
+    # A method that knows the leak needs the budget only to choose the width for it.
+    leak = float(given.get("residual", residual))
+    chooses = "residual" not in known or (leak > 0.0 and float(given.get("width", 0)) == 0.0)
+    if "budget" in known and chooses:
         told["budget"] = max(share, known["budget"].get("minimum", 0.0))
     if "least_width" in known:
         told["least_width"] = width

@@ -55,7 +55,7 @@ def raise_together(problems: Sequence[FirebreakError]) -> None:
 
 def width_in_cells(width: float | None, cell_size: float) -> int:
     """Least number of cells across a break of a width in metres; 1 for None."""
-    if width is None:
+    if width is None or not math.isfinite(width):
         return 1
     # A whole number of cells must not grow by rounding.
     return max(1, math.ceil(width / cell_size - 1e-9))
@@ -69,6 +69,7 @@ def feasibility(
     unit: BudgetUnit = "share",
     width: float | None = None,
     residual: float = 0.0,
+    refine: bool = False,
     ignitions: Callable[[], Ignitions] | None = None,
 ) -> Feasibility:
     """Check what is asked of a plan against the landscape.
@@ -85,6 +86,8 @@ def feasibility(
         Least width of the breaks [m].
     residual
         Share of its spread probability that a treated cell keeps.
+    refine
+        Whether the breaks are improved by local search.
     ignitions
         Returns where the simulated fires start, or raises what is wrong with that.
     """
@@ -92,6 +95,10 @@ def feasibility(
     check.reach()
     check.afford(budget, unit)
     check.width(width, residual)
+    if refine and width_in_cells(width, network.grid.cell_size) > 1:
+        check.problems.append(ParameterError(
+            f"local search (--refine) moves single cells and would not keep a width of {width:g} m; leave one out"
+        ))  # fmt: skip
     if ignitions is not None:
         check.ignitions(ignitions)
     return Feasibility(tuple(check.account), tuple(check.warnings), tuple(check.problems))

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,21 +11,16 @@ import numpy as np
 from firebreak_gis.breaks import BudgetUnit, break_polygons, cells_to_cut, removal_order, select_breaks
 from firebreak_gis.compartments import compartments
 from firebreak_gis.design import design
-from firebreak_gis.evaluation import evaluate, table
+from firebreak_gis.evaluation import evaluate
 from firebreak_gis.feasibility import Feasibility, feasibility, width_in_cells
-from firebreak_gis.field_map import write_compartments, write_segments
-from firebreak_gis.files import require_writable, together, write_text
 from firebreak_gis.ignitions import IgnitionMode, resolve_ignitions
-from firebreak_gis.landscape import write_landscape
-from firebreak_gis.manifest import provenance, write_manifest
+from firebreak_gis.judgement import judge, resamples
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
-from firebreak_gis.rasters import write_raster
 from firebreak_gis.segments import segments
 from firebreak_gis.setting import Setting, with_barriers
 from firebreak_gis.simulation import simulate
 from firebreak_gis.spread import spread_network
-from firebreak_gis.vectors import write_vector
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -137,6 +130,11 @@ class Plan:
             "burnt_share_with_breaks_p90": float(np.percentile(after, 90) / n_burnable),
             "burnt_share_with_breaks_max": float(after.max() / n_burnable),
         }
+        lost = self.after["value_lost"] if "value_lost" in self.after else self.after["fire_size"]
+        figures["judged"] = judge(
+            after, lost.to_numpy(), before, treated_ha=figures["ha_cut"], cell_area_ha=area,
+            picks=resamples(after.size, int(self.parameters["seed"])),
+        )  # fmt: skip
         if self.parameters["method"] != "random":
             figures["p_value_against_random"] = float(chosen["p_value"])
         if "value_lost" in self.before:
@@ -161,6 +159,7 @@ def plan(
     ignition: Plane | None = None,
     width: float | None = None,
     residual: float = 0.0,
+    refine: bool = False,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
     n_runs: int = 100,
@@ -192,6 +191,8 @@ def plan(
     residual
         Share of its spread probability that a treated cell keeps; 0 is a perfect break. Methods that know it choose
         the width of their walls for it.
+    refine
+        Whether the breaks are improved by local search on simulated fires, see `placement.refinement.refine`.
     ignitions, ignition_mode, n_runs, seed, threads, progress
         As in `simulate`; without `ignitions` fires start by `ignition`. No method designs its plan with these fires.
     checked
@@ -215,7 +216,7 @@ def plan(
         ignitions = setting.ignition
     # What cannot be is refused now, not after the ranking.
     found = feasibility(
-        network, setting, budget=budget, unit=budget_unit, width=width, residual=residual,
+        network, setting, budget=budget, unit=budget_unit, width=width, residual=residual, refine=refine,
         ignitions=lambda: resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, seed=seed),
     )  # fmt: skip
     found.require()
@@ -228,6 +229,7 @@ def plan(
         budget=budget,
         unit=budget_unit,
         residual=residual,
+        refine=refine,
         width=width_in_cells(width, network.grid.cell_size),
         params=method_params,
         elevation=landscape["elevation"].to_numpy(),
@@ -273,6 +275,7 @@ def plan(
         "model_params": dict(model_params or {}),
         "width": width,
         "residual": residual,
+        "refine": refine,
         "n_runs": n_runs,
         "seed": seed,
     }
@@ -289,151 +292,3 @@ def default_budgets(*marked: float, n_levels: int = 41) -> np.ndarray:
     """Evenly spaced budgets from 0 to beyond the marked ones, the marked ones among them."""
     top = min(1.0, max(0.4, 1.5 * max(marked, default=0.0)))
     return np.unique(np.concatenate([np.round(np.linspace(0.0, top, n_levels), 6), np.array(marked)]))
-
-
-#: What a plan is written as.
-PLAN_FILES = (
-    "elevation.tif",
-    "vegetation.tif",
-    "density.tif",
-    "priority.tif",
-    "breaks.tif",
-    "burn_frequency.tif",
-    "burn_frequency_with_breaks.tif",
-    "breaks.gpkg",
-    "segments.gpkg",
-    "compartments.gpkg",
-    "fire_sizes.csv",
-    "evaluation.csv",
-    "overview.png",
-    "run.json",
-)
-
-
-def write_plan(
-    result: Plan,
-    folder: str | os.PathLike[str],
-    *,
-    parameters: Mapping[str, Any] | None = None,
-    inputs: Sequence[str | os.PathLike[str]] = (),
-    creation_options: Mapping[str, Any] | None = None,
-    overwrite: bool = False,
-    progress: Progress | None = None,
-) -> list[Path]:
-    """Write every file of a plan into a folder: all of them appear together, or none.
-
-    Parameters
-    ----------
-    result
-        The plan.
-    folder
-        Made if it does not exist.
-    parameters
-        Parameters to record, by default those of the plan.
-    inputs
-        Files that went in; never overwritten, their hashes are recorded.
-    creation_options
-        More options of GDAL's COG driver.
-    overwrite
-        Whether existing files may be replaced.
-    progress
-        Callback (share done, message).
-
-    Returns
-    -------
-    list of Path
-        The files of `PLAN_FILES`, each raster with a QGIS style beside it.
-
-    Raises
-    ------
-    OutputError
-        If a file exists and `overwrite` is not set, or cannot be written; checked for all before the first is
-        written.
-    """
-    report = part(progress, 0.0, 1.0, "write ")
-    recorded = parameters or result.parameters
-    with together(folder) as target:
-        for name in PLAN_FILES:
-            require_writable(target / name, overwrite=overwrite, forbid=inputs)
-        written = _write_layers(result, target, recorded, creation_options, overwrite, report)
-        written += _write_tables(result, target, overwrite, report)
-        account = {
-            "grid": result.network.grid.describe(),
-            "alignment": result.landscape.attrs.get("alignment", []),
-            "warnings": [*result.landscape.attrs.get("warnings", []), *result.feasibility.warnings],
-            "feasibility": result.feasibility.account,
-            "summary": result.summary,
-        }
-        written.append(
-            write_manifest(
-                target / "run.json",
-                command="plan",
-                parameters=recorded,
-                inputs=inputs,
-                outputs=written,
-                account=account,
-                overwrite=overwrite,
-            )
-        )
-    report(1.0, "done")
-    return written
-
-
-def _write_layers(
-    result: Plan,
-    target: Path,
-    recorded: Mapping[str, Any],
-    creation_options: Mapping[str, Any] | None,
-    overwrite: bool,
-    report: Progress,
-) -> list[Path]:
-    tags = provenance(recorded, seed=int(result.parameters["seed"]))
-    rasters: dict[str, xr.DataArray] = {
-        "priority.tif": result.priority,
-        "breaks.tif": result.breaks,
-        "burn_frequency.tif": result.before["burn_frequency"],
-        "burn_frequency_with_breaks.tif": result.after["burn_frequency"],
-    }
-    report(0.0, "landscape")
-    written = write_landscape(
-        result.landscape, target, overwrite=overwrite, provenance=tags, creation_options=creation_options
-    )
-    for i, (name, data) in enumerate(rasters.items()):
-        report(0.2 + 0.1 * i, name)
-        write_raster(target / name, data, overwrite=overwrite, provenance=tags, creation_options=creation_options)
-        written.append(target / name)
-    return written
-
-
-def _write_tables(result: Plan, target: Path, overwrite: bool, report: Progress) -> list[Path]:
-    from firebreak_gis.report.figures import save
-    from firebreak_gis.report.overview import overview_figure
-
-    report(0.6, "breaks.gpkg")
-    write_vector(target / "breaks.gpkg", result.polygons, layer="breaks", overwrite=overwrite)
-    write_segments(target / "segments.gpkg", *result.segments, overwrite=overwrite)
-    write_compartments(target / "compartments.gpkg", result.compartments, overwrite=overwrite)
-    for name, frame in (("fire_sizes.csv", result.fire_sizes), ("evaluation.csv", table(result.evaluation))):
-        write_text(target / name, frame.to_csv(index=False, lineterminator="\n"), overwrite=overwrite)
-    report(0.7, "overview.png")
-    figure = overview_figure(
-        result.landscape,
-        result.breaks,
-        result.before,
-        result.after,
-        result.evaluation,
-        title=_headline(result),
-        budget=float(result.parameters["d_f"]),
-    )
-    save(figure, target / "overview.png", overwrite=overwrite)
-    return [target / name for name in PLAN_FILES if not name.endswith(".tif") and name != "run.json"]
-
-
-def _headline(result: Plan) -> str:
-    summary = result.summary
-    return (
-        f"Fire breaks by {result.parameters['method']}: "
-        f"{100 * result.parameters['d_f']:.3g} % of the fuel cut ({summary['ha_cut']:,.0f} ha), "
-        f"mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % "
-        f"\N{RIGHTWARDS ARROW} {100 * summary['burnt_share_with_breaks']:.1f} %"
-    )

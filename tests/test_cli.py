@@ -18,7 +18,7 @@ from click.testing import CliRunner
 
 from firebreak_gis import methods
 from firebreak_gis.cli import firebreak
-from firebreak_gis.pipeline import PLAN_FILES
+from firebreak_gis.plan_files import PLAN_FILES
 
 ROOT = Path(__file__).parents[1]
 SAMPLE = ROOT / "sample_data"

@@ -12,7 +12,8 @@ from shapely.geometry import Point
 from firebreak_gis import plan, rank, select_breaks, simulate, spread_network
 from firebreak_gis.errors import Cancelled, InputError, OutputError, ParameterError
 from firebreak_gis.landscape import read_landscape_folder
-from firebreak_gis.pipeline import PLAN_FILES, default_budgets, write_plan
+from firebreak_gis.pipeline import default_budgets
+from firebreak_gis.plan_files import PLAN_FILES, write_plan
 
 
 @pytest.fixture(scope="module")

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from firebreak_gis.cli import kinds, options, stakes
 from firebreak_gis.cli.layers import checked_fires, recorded
 from firebreak_gis.cli.session import Session
+from firebreak_gis.errors import FirebreakError, ParameterError
+from firebreak_gis.methods import build_params, load
+
+if TYPE_CHECKING:
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.setting import Setting
 
 #: What the command writes into its folder.
 OUTPUTS = {
@@ -27,10 +33,11 @@ OUTPUTS = {
     "--methods",
     "method_list",
     type=kinds.RANKINGS,
-    default="dissection,bonacich,flammability,random",
+    default="dissection,compartments,stripes,bonacich,flammability,random",
     show_default=True,
     metavar="LIST",
-    help="Rankings, separated by commas, parameters by colons: dissection:width=2,random.",
+    help="Rankings, separated by commas, parameters by colons: dissection:width=2,random. What is not set, a method "
+    "that asks for the budget or the leak is told for each plan.",
 )
 @click.option(
     "--budgets",
@@ -46,6 +53,7 @@ OUTPUTS = {
     metavar="LIST",
     help="Shares of its spread probability that a treated cell keeps, separated by commas; 0 is perfect.",
 )
+@click.option("--dem", type=kinds.RASTER, metavar="RASTER", help="Elevation, for methods that follow ridges [m].")
 @stakes.stakes
 @options.fires
 @options.seed
@@ -54,14 +62,15 @@ OUTPUTS = {
 def command(session: Session, network: str, output: str, method_list: str, **given: Any) -> None:
     """Compare rankings on NETWORK: expected burnt area, value lost, worst fires and leverage, with intervals.
 
-    The fires are fresh: drawn with another seed than the plans, the same for all of them. Writes comparison.csv,
-    comparison.png, comparison.svg and run.json.
+    Each plan is made for its budget and leak, as firebreak plan makes it. The fires are fresh: no plan was designed
+    with them, and all burn in the same ones. Writes comparison.csv, comparison.png, comparison.svg and run.json.
     """
     from firebreak_gis.comparison import compare_plans, comparison_table
+    from firebreak_gis.design import Designs
     from firebreak_gis.files import make_folder, require_writable, together, write_text
+    from firebreak_gis.landscape.planes import value_plane
     from firebreak_gis.manifest import write_manifest
     from firebreak_gis.progress import part
-    from firebreak_gis.ranking import rank
     from firebreak_gis.report.comparison import comparison_figure
     from firebreak_gis.report.figures import save
     from firebreak_gis.spread.raster import read_network
@@ -70,25 +79,30 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     methods = options.methods_list(method_list)
     budgets = options.number_list(given["budgets"], "--budgets")
     residuals = options.number_list(given["residuals"], "--residuals")
-    inputs = [network, *stakes.stake_files(given), *([given["ignitions"]] if given["ignitions"] else [])]
+    named = [given[key] for key in ("ignitions", "dem") if given[key]]
+    inputs = [network, *named, *stakes.stake_files(given)]
     target = make_folder(output)
     files = [target / name for name in ("comparison.csv", "comparison.png", "comparison.svg")]
     for name in (*files, target / "run.json"):
         require_writable(name, overwrite=given["overwrite"], forbid=inputs)
-    spread, setting = stakes.network_and_setting(read_network(network), given)
+    untouched = read_network(network)
+    spread, setting = stakes.network_and_setting(untouched, given)
     fires = checked_fires(given, spread)
-    priorities = {}
-    for i, (label, method, params) in enumerate(methods):
-        step = part(session.progress, 0.5 * i / len(methods), 0.5 * (i + 1) / len(methods), f"{label}: ")
-        priorities[label] = rank(spread, method, setting=setting, seed=seed, progress=step, **params)
+    _require_possible(spread, setting, methods, budgets, residuals)
+    ridges = value_plane(given["dem"], spread.grid, what="elevation", fill=float("nan")) if given["dem"] else None
+    roads = (untouched.burnable & ~spread.burnable).astype(float) if given["barriers"] else None
+    plans = {
+        label: Designs(spread, method, setting=setting, params=params, elevation=ridges, roads=roads, seed=seed)
+        for label, method, params in methods
+    }
     result = compare_plans(
         spread,
-        priorities,
+        plans,
         budgets=budgets,
         residuals=residuals,
         value=setting.value if given["values"] else None,
         **fires,
-        progress=part(session.progress, 0.5, 0.95),
+        progress=part(session.progress, 0.02, 0.97),
     )
     rows = comparison_table(result)
     with together(target):
@@ -118,3 +132,27 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
 
 def _existing(paths: list[str]) -> list[str]:
     return [p for p in paths if Path(p).is_file()]
+
+
+def _require_possible(
+    network: SpreadNetwork, setting: Setting, methods: list[Any], budgets: list[float], residuals: list[float]
+) -> None:
+    """Refuse before the first ranking what a later one would be refused for."""
+    from firebreak_gis.feasibility import feasibility, raise_together
+    from firebreak_gis.network import checked_residual
+
+    problems: list[FirebreakError] = []
+    for label, method, params in methods:
+        try:
+            build_params(load("ranking", method), params)
+        except ParameterError as error:
+            problems.append(ParameterError(f"{label}: {error}"))
+    for residual in residuals:
+        try:
+            checked_residual(residual)
+        except ParameterError as error:
+            problems.append(error)
+    for budget in budgets:
+        told = {str(problem) for problem in problems}
+        problems += [p for p in feasibility(network, setting, budget=budget).problems if str(p) not in told]
+    raise_together(problems)

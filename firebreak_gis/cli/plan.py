@@ -41,6 +41,7 @@ OUTPUTS = {
 @options.budget
 @options.ranking
 @options.leaks
+@click.option("--refine", is_flag=True, help="Improve the breaks by local search on simulated fires; takes longer.")
 @stakes.stakes
 @options.fires
 @options.seed
@@ -55,7 +56,8 @@ def command(session: Session, **given: Any) -> None:
     """
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape.planes import ignition_source
-    from firebreak_gis.pipeline import PLAN_FILES, plan, write_plan
+    from firebreak_gis.pipeline import plan
+    from firebreak_gis.plan_files import PLAN_FILES, write_plan
     from firebreak_gis.progress import part
 
     parameters = {
@@ -78,6 +80,7 @@ def command(session: Session, **given: Any) -> None:
         budget_unit=given["budget_unit"],
         width=given["width"],
         residual=given["residual"],
+        refine=given["refine"],
         **stakes.read_stakes(grid, given, landscape=landscape),
         method=given["method"],
         method_params=parameters["method_params"],
@@ -100,12 +103,16 @@ def command(session: Session, **given: Any) -> None:
         progress=part(session.progress, 0.8, 1.0),
     )
     summary = result.summary
+    judged = summary["judged"]
     session.finish(
         {"files": files, **summary},
         f"{summary['cells_cut']} of {summary['burnable_cells']} cells with fuel cut "
         f"({summary['ha_cut']:,.1f} ha). "
         f"Mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % without, "
-        f"{100 * summary['burnt_share_with_breaks']:.1f} % with the breaks.\n"
+        f"{100 * summary['burnt_share_with_breaks']:.1f} % with the breaks: "
+        f"{judged['leverage']:.1f} ha saved per ha treated "
+        f"({judged['leverage_low']:.1f} to {judged['leverage_high']:.1f}), "
+        f"{judged['cvar_ha']:,.0f} ha burnt in the worst tenth of the fires.\n"
         f"{len(files)} files in {given['output']}; look at overview.png first.",
     )
 
