@@ -20,6 +20,9 @@ METRE_TOLERANCE = 0.05
 #: Extents wider than this many degrees do not fit one UTM zone.
 WIDEST_UTM = 30.0
 
+#: How to give a raster its CRS, for messages.
+ASSIGNING = ", e.g. gdal_translate -a_srs EPSG:32635 in.tif out.tif (DEM, VEGETATION and DENSITY: --src-crs EPSG:32635)"
+
 _EARTH_RADIUS = (6.3e6, 6.45e6)
 
 
@@ -49,7 +52,7 @@ def require_plausible(crs: CRS, bounds: tuple[float, float, float, float], where
     CRSError
         If the CRS is not of the Earth, is local, or does not fit the coordinates.
     """
-    fix = "assign the true one, e.g. gdal_translate -a_srs EPSG:32635 in.tif out.tif"
+    fix = f"assign the true one{ASSIGNING}"
     if crs.ellipsoid is None or not (crs.is_projected or crs.is_geographic):
         raise CRSError(f"{where} has the CRS {crs_name(crs)}, which is not tied to the Earth; {fix}")
     if not _EARTH_RADIUS[0] < crs.ellipsoid.semi_major_metre < _EARTH_RADIUS[1]:

@@ -140,6 +140,8 @@ PLAIN = ["dem.tif", "vegetation.tif", "normal"]
 INPUTS = {
     "no CRS": (dem(crs=None), LAYERS, 3, ["no coordinate reference system", "gdal_translate -a_srs"]),
     "no transform": (located(), LAYERS, 3, ["does not say where its cells lie", "-a_ullr"]),
+    "no CRS, told": (dem(crs=None), [*LAYERS, "--src-crs", "dem=EPSG:32635"], 0, ["elevation: copied"]),
+    "a wrong CRS, told": (dem(crs="EPSG:4326"), [*LAYERS, "--src-crs", "EPSG:32635"], 0, ["elevation: copied"]),
     "control points only": (located(gcps=GCPS), LAYERS, 3, ["ground control points", "gdalwarp -t_srs"]),
     "camera model only": (located(rpcs=RPCS), LAYERS, 3, ["camera model", "gdalwarp -rpc"]),
     "degrees": (dem(transform=DEGREES, crs="EPSG:4326"), LAYERS, 0, ["EPSG:32635", "is in degrees", "bilinear"]),

@@ -26,7 +26,8 @@ def test_the_built_in_legends_are_listed_with_their_sources():
     assert legends.names() == BUILT_IN
     for name in legends.names():
         legend = read_legend(name)
-        assert legend.about
+        assert sum(line.startswith("Source: ") for line in legend.about) == 1
+        assert legend.version == "1"
         assert legend.has_density or name == "paper"
         assert all(entry.label for entry in legend.entries)
 

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
 
+#: The layers of a landscape, as the command line names them.
+LAYERS = ("dem", "vegetation", "density")
 #: Options that may name a file.
 _FILES = (
     "dem",
@@ -49,7 +51,7 @@ def read_layers(given: Mapping[str, Any], session: Session, *, progress: Progres
     from firebreak_gis.landscape import read_landscape
 
     landscape = read_landscape(
-        *(given[name] for name in ("dem", "vegetation", "density")),
+        *(given[name] for name in LAYERS),
         **grid_options(given),
         unknown=given["unknown"],
         max_memory=options.byte_size(given["max_memory"]),
@@ -71,6 +73,7 @@ def grid_options(given: Mapping[str, Any]) -> dict[str, Any]:
         "resolution": given["resolution"],
         "bounds": given["bounds"] or None,
         "like": given["like"],
+        "src_crs": _layer_crs(given["src_crs"]),
         "src_nodata": _layer_values(given["src_nodata"], "--src-nodata", float),
         "band": {layer: values[-1] for layer, values in _layer_values(given["bidx"], "--bidx", int).items()},
         "strict": given["strict"],
@@ -148,12 +151,21 @@ def recorded(given: Mapping[str, Any]) -> dict[str, Any]:
     return {k: v for k, v in sorted(given.items()) if k not in _TRANSIENT and v is not None and v != () and v != {}}
 
 
+def _layer_crs(words: Any) -> dict[str, str]:
+    """Read LAYER=CRS words; a word without a layer (its CRS may hold "=" itself, as +proj=utm) is for all."""
+    result: dict[str, str] = {}
+    for word in [f"{k}={v}" for k, v in words.items()] if isinstance(words, Mapping) else words:
+        layer, _, crs = str(word).partition("=")
+        result.update({layer: crs} if layer in LAYERS else dict.fromkeys(LAYERS, str(word)))
+    return result
+
+
 def _layer_values(words: Any, option: str, kind: type) -> dict[str, list[Any]]:
     """Read LAYER=VALUE,VALUE words; what is given twice for a layer is added up."""
     result: dict[str, list[Any]] = {}
     for word in [f"{k}={v}" for k, v in words.items()] if isinstance(words, Mapping) else words:
         ((layer, text),) = options.pairs((word,), option).items()
-        if layer not in ("dem", "vegetation", "density"):
+        if layer not in LAYERS:
             raise ParameterError(f"{option} names {layer!r}, expected dem, vegetation or density")
         try:
             result.setdefault(layer, []).extend(kind(value) for value in str(text).split(","))

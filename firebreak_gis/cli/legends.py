@@ -30,8 +30,17 @@ def command(session: Session, name: str | None) -> None:
     legend = legends.read_legend(name)
     rows = [_row(entry) for entry in legend.entries]
     lines = [f"# {line}" for line in legend.about]
-    lines += [f"{row['code']:>12}  {row['vegetation']:13} {row['density']:8} {row['label']}" for row in rows]
-    session.finish({"name": legend.name, "about": legend.about, "entries": rows}, "\n".join(lines))
+    lines.append(f"{'code':>12}  {'vegetation':13} {'density':9} label")
+    lines += [f"{row['code']:>12}  {row['vegetation']:13} {_shown(row):9} {row['label']}" for row in rows]
+    if any(_shown(row).endswith("*") for row in rows):
+        lines.append("* unless a density raster or word is given")
+    shown = {"name": legend.name, "version": legend.version, "about": legend.about, "entries": rows}
+    session.finish(shown, "\n".join(lines))
+
+
+def _shown(row: Mapping[str, str]) -> str:
+    replaced = row["density"] and row["vegetation"] not in ("", "none") and row["density_from_raster"] == "yes"
+    return row["density"] + "*" * bool(replaced)
 
 
 def _row(entry: legends.Entry) -> dict[str, str]:
@@ -40,6 +49,7 @@ def _row(entry: legends.Entry) -> dict[str, str]:
         "code": code,
         "vegetation": _word(entry.vegetation, entry.vegetation_effect, VEGETATION),
         "density": _word(entry.density, entry.density_effect, DENSITY),
+        "density_from_raster": "yes" if entry.density_from_raster else "no",
         "label": entry.label,
     }
 

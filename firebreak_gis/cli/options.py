@@ -217,6 +217,12 @@ def landscape(command: F) -> F:
         ),
         click.option("--like", type=kinds.RASTER, metavar="RASTER", help="Take the grid of this raster."),
         click.option(
+            "--src-crs",
+            multiple=True,
+            metavar="[LAYER=]CRS",
+            help="The true CRS of dem, vegetation or density, or of all, where a file tells none or a wrong one.",
+        ),
+        click.option(
             "--src-nodata",
             multiple=True,
             metavar="LAYER=VALUES",

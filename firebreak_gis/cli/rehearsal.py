@@ -10,7 +10,7 @@ from typing import Any
 
 from firebreak_gis import memory, methods
 from firebreak_gis.cli import options
-from firebreak_gis.cli.layers import WEATHER, grid_options, weather
+from firebreak_gis.cli.layers import LAYERS, WEATHER, grid_options, weather
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, OutputError, ParameterError
 from firebreak_gis.rasters import file_of
@@ -55,7 +55,7 @@ def foresee(
     """
     from firebreak_gis.landscape import survey
 
-    found = survey(*(given[name] for name in ("dem", "vegetation", "density")), **grid_options(given))
+    found = survey(*(given[name] for name in LAYERS), **grid_options(given))
     rows, cols = found.grid.shape
     needed = memory.bytes_for("align", 0) + found.memory
     if method is not None:

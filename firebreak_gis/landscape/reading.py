@@ -34,6 +34,7 @@ def read_landscape(
     resolution: float | None = None,
     bounds: tuple[float, float, float, float] | None = None,
     like: str | os.PathLike[str] | Grid | xr.DataArray | None = None,
+    src_crs: Mapping[str, Any] | None = None,
     src_nodata: Mapping[str, float | Sequence[float]] | None = None,
     band: Mapping[str, int] | None = None,
     unknown: Literal["refuse", "nonburnable"] = "refuse",
@@ -69,8 +70,9 @@ def read_landscape(
         (left, bottom, right, top) in the CRS of the result; by default what all layers cover.
     like
         Path, `Grid` or array whose grid is taken; excludes `crs`, `resolution`, `bounds`.
-    src_nodata, band
-        By layer ("dem", "vegetation", "density"): value or values that mean "no data", and band number.
+    src_crs, src_nodata, band
+        By layer ("dem", "vegetation", "density"): the CRS in place of what the file says, value or values that
+        mean "no data", and band number.
     unknown
         What codes missing from the legend are: an error, or land without fuel.
     strict
@@ -104,7 +106,7 @@ def read_landscape(
         raise ParameterError(f"unknown is {unknown!r}, expected refuse or nonburnable")
     found = survey(
         dem, vegetation, density, legend=legend, density_legend=density_legend, crs=crs, resolution=resolution,
-        bounds=bounds, like=like, src_nodata=src_nodata, band=band, strict=strict, remote=remote,
+        bounds=bounds, like=like, src_crs=src_crs, src_nodata=src_nodata, band=band, strict=strict, remote=remote,
     )  # fmt: skip
     layers, grid, account = found.layers, found.grid, found.account
     require_memory(found.memory, f"a landscape of {grid.shape[0]} x {grid.shape[1]} cells", max_memory=max_memory)

@@ -15,7 +15,7 @@ from firebreak_gis.landscape.flammap import LandscapeFile, read_landscape_file
 from firebreak_gis.landscape.resampling import BLOCK
 from firebreak_gis.landscape.target_grid import Account, choose_grid
 from firebreak_gis.legends import Legend, read_legend
-from firebreak_gis.rasters import Header, header_of_array, read_header
+from firebreak_gis.rasters import Header, header_of_array, read_header, with_crs
 from firebreak_gis.schema import DENSITY
 
 #: The legends where nothing else is said, and for the canopy cover of a landscape file.
@@ -64,6 +64,7 @@ def survey(
     resolution: float | None = None,
     bounds: tuple[float, float, float, float] | None = None,
     like: Any = None,
+    src_crs: Mapping[str, Any] | None = None,
     src_nodata: Mapping[str, Any] | None = None,
     band: Mapping[str, int] | None = None,
     strict: bool = False,
@@ -87,7 +88,7 @@ def survey(
     sources = {"elevation": dem, "vegetation": vegetation}
     if density is not None and word is None:
         sources["density"] = density
-    layers = _headers(sources, src_nodata or {}, band, remote)
+    layers = _headers(sources, src_crs or {}, src_nodata or {}, band, remote)
     grid = choose_grid(layers, account, crs=crs, resolution=resolution, bounds=bounds, like=like)
     return Survey(layers, grid, table, density_table, word, account)
 
@@ -113,9 +114,8 @@ def _legends(legend: Any, density_legend: Any, density: Any) -> tuple[Legend, Le
         )
     if density is None and not table.has_density:
         raise LegendError(
-            f"no density: the legend {table.name} gives none. Give a density raster, or one class for all fuel "
-            '(density="normal"), or density="continuity", or a legend with densities (see legends.names() or '
-            "firebreak legends)"
+            f"no density: the legend {table.name} gives none. Give a density raster, or one class for all fuel, such "
+            "as normal, or the word continuity, or a legend with densities (firebreak legends)"
         )
     if not density_table.has_density:
         raise LegendError(f"the density legend {density_table.name} does not give the density of every code")
@@ -123,21 +123,28 @@ def _legends(legend: Any, density_legend: Any, density: Any) -> tuple[Legend, Le
 
 
 def _headers(
-    sources: Mapping[str, Any], src_nodata: Mapping[str, Any], band: Mapping[str, int], remote: bool
+    sources: Mapping[str, Any],
+    src_crs: Mapping[str, Any],
+    src_nodata: Mapping[str, Any],
+    band: Mapping[str, int],
+    remote: bool,
 ) -> dict[str, Header]:
     public = {"dem": "elevation", "elevation": "elevation", "vegetation": "vegetation", "density": "density"}
-    for word, mapping in (("src_nodata", src_nodata), ("band", band)):
+    for word, mapping in (("src_crs", src_crs), ("src_nodata", src_nodata), ("band", band)):
         wrong = set(mapping) - set(public)
         if wrong:
             raise ParameterError(f"{word} names {', '.join(sorted(wrong))}, expected dem, vegetation or density")
     nodata = {public[key]: value for key, value in src_nodata.items()}
     bands = {public[key]: value for key, value in band.items()}
+    assigned = {public[key]: value for key, value in src_crs.items()}
     headers = {}
     for name, source in sources.items():
         if isinstance(source, str | os.PathLike):
             headers[name] = read_header(source, band=bands.get(name), src_nodata=nodata.get(name), remote=remote)
         else:
             headers[name] = header_of_array(source, src_nodata=nodata.get(name))
+        if name in assigned:
+            headers[name] = with_crs(headers[name], assigned[name])
     if headers["elevation"].palette:
         raise InputError(
             f"{headers['elevation'].path} has a colour table: it is a map of classes or a picture, not elevations"

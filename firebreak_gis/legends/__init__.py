@@ -78,6 +78,11 @@ class Legend:
     about: tuple[str, ...] = ()
 
     @property
+    def version(self) -> str:
+        """What the comment `Version:` says, else ""."""
+        return next((line.partition(":")[2].strip() for line in self.about if line.startswith("Version:")), "")
+
+    @property
     def continuous(self) -> bool:
         """Whether codes are ranges of a quantity."""
         return any(entry.low != entry.high for entry in self.entries)

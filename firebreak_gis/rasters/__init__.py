@@ -6,6 +6,7 @@ from firebreak_gis.rasters.header import (
     open_raster,
     read_header,
     require_georeferenced,
+    with_crs,
 )
 from firebreak_gis.rasters.naming import file_of
 from firebreak_gis.rasters.reading import Cells, read_cells, read_raster, read_variable
@@ -23,5 +24,6 @@ __all__ = [
     "read_raster",
     "read_variable",
     "require_georeferenced",
+    "with_crs",
     "write_raster",
 ]

@@ -7,7 +7,7 @@ import math
 import os
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from affine import Affine
 
 from firebreak_gis.errors import CRSError, GridError, InputError
 from firebreak_gis.grid import Grid, parse_crs
-from firebreak_gis.projections import horizontal, require_plausible, vertical_factor
+from firebreak_gis.projections import ASSIGNING, horizontal, require_plausible, vertical_factor
 from firebreak_gis.rasters.naming import gdal_name, look_first, short_name
 
 if TYPE_CHECKING:
@@ -222,6 +222,12 @@ def header_of_array(data: xr.DataArray, *, src_nodata: float | Sequence[float] |
     )
 
 
+def with_crs(header: Header, crs: Any) -> Header:
+    """Return the header with another CRS, for files that tell none or a wrong one."""
+    full = parse_crs(crs)
+    return replace(header, crs=horizontal(full), vertical=vertical_factor(full))
+
+
 def require_georeferenced(header: Header) -> CRS:
     """Return the CRS of a raster that says where on the Earth it lies.
 
@@ -238,12 +244,8 @@ def require_georeferenced(header: Header) -> CRS:
         }.get(header.located_by, "gdal_translate -a_srs EPSG:32635 -a_ullr LEFT TOP RIGHT BOTTOM in.tif out.tif")
         raise GridError(f"{where} does not say where its cells lie (no transform); {help_}")
     if header.crs is None:
-        how = (
-            "gdal_translate -a_srs EPSG:32635 in.tif out.tif"
-            if header.array is None
-            else 'data.rio.write_crs("EPSG:32635")'
-        )
-        raise CRSError(f"{where} has no coordinate reference system; assign the one it was made in, e.g. {how}")
+        how = ASSIGNING if header.array is None else ', e.g. data.rio.write_crs("EPSG:32635")'
+        raise CRSError(f"{where} has no coordinate reference system; assign the one it was made in{how}")
     if abs(header.transform.determinant) == 0 or not all(math.isfinite(v) for v in header.transform[:6]):
         raise GridError(
             f"{where} has cells without area (transform {tuple(header.transform[:6])}); its georeference is broken"

@@ -220,6 +220,7 @@ LABELS: Mapping[str, str] = {
     "resolution": "Cell size [m]",
     "bounds": "Extent (needs the CRS of the grid)",
     "like": "Take the grid of this raster",
+    "src_crs": "True CRS of the layers, such as dem=EPSG:32635",
     "src_nodata": "No-data values, such as dem=-9999; vegetation=255",
     "bidx": "Bands, such as dem=1; vegetation=2",
     "unknown": "Codes that the legend does not list",
