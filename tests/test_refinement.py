@@ -118,7 +118,7 @@ def test_walls_are_widened_where_breaks_leak():
     priority = np.where(column == 10, 2.0, np.where(column == 23, 1.0, -column))
     budget = 18.0
     refined = refine(
-        network, setting, priority, budget=budget, unit="cost", residual=0.15, n_runs=200, moves=40, progress=silent
+        network, setting, priority, budget=budget, unit="cost", residual=0.15, n_runs=200, moves=25, progress=silent
     )
     after = cut_by(network, setting, refined, budget, "cost")
     fresh = design_fires(network, setting, n_runs=1000, seed=9, residual=0.15)

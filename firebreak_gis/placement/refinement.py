@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from firebreak_gis.breaks import select_breaks
-from firebreak_gis.kernels.gains import dominated, reopened
+from firebreak_gis.kernels.gains import dominated, downstream, reopened
 from firebreak_gis.placement.dissection import lines_first
 from firebreak_gis.placement.fires import Fires, burn_pieces, design_fires, losses, pieces
 from firebreak_gis.placement.gains import mean_gain
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.breaks import BudgetUnit
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.placement.gains import Kernel
     from firebreak_gis.progress import Progress
     from firebreak_gis.setting import Setting
 
@@ -31,6 +32,10 @@ _APART = 2
 _TRIES = 8
 #: Swaps for which a cell that came or went stays as it is.
 _TENURE = 7
+#: Swaps without a better plan after which the best plan is disturbed.
+_PATIENCE = 10
+#: Cells that are left at most when the plan is disturbed.
+_MOST = 16
 #: Added to the seed for the fires on which an improvement must hold.
 _CHECK = 15_485_863
 
@@ -58,9 +63,9 @@ class _Plan:
         """Money left."""
         return self.limit - float(self.price[self.cells].sum())
 
-    def gains(self, progress: Progress) -> tuple[np.ndarray, float]:
+    def gains(self, progress: Progress, kernel: Kernel = dominated) -> tuple[np.ndarray, float]:
         """Gain of cutting each cell that may be cut and paid, -1 for others; and the loss as it is."""
-        gain, lost = mean_gain(dominated, self.fires, self.alive, self.value, threads=self.threads, progress=progress)
+        gain, lost = mean_gain(kernel, self.fires, self.alive, self.value, threads=self.threads, progress=progress)
         return np.where(self.free & self.alive & (self.price <= self.left), gain, -1.0), lost
 
     def least(self, progress: Progress) -> np.ndarray:
@@ -80,12 +85,13 @@ class _Plan:
         cells = self.cells
         return cells[np.argsort(sums.sum(axis=0)[cells] / self.price[cells], kind="stable")]
 
-    def spend(self, count: int, progress: Progress) -> float:
+    def spend(self, count: int, progress: Progress, kernel: Kernel = dominated) -> float:
         """Spend money left where it saves most, up to `count` cells before gains are found anew; the loss then."""
         while True:
-            gain, lost = self.gains(progress)
-            ranked = np.argsort(-gain / self.price, kind="stable")
-            chosen = self.apart(ranked[gain[ranked] > 0.0], count)
+            gain, lost = self.gains(progress, kernel)
+            gaining = np.flatnonzero(gain > 0.0)
+            ranked = gaining[np.argsort(-gain[gaining] / self.price[gaining], kind="stable")]
+            chosen = self.apart(ranked, count)
             chosen = chosen[np.cumsum(self.price[chosen]) <= self.left]
             if chosen.size == 0:
                 return lost
@@ -115,7 +121,7 @@ def refine(
     budget: float,
     unit: BudgetUnit = "share",
     residual: float = 0.0,
-    moves: int = 100,
+    moves: int = 200,
     n_runs: int = 200,
     seed: int = 0,
     fires: Fires | None = None,
@@ -127,7 +133,8 @@ def refine(
     Money left over buys the cells of the largest gain. Then many cells at once that do least are left, and the cells
     of the largest exact gain are cut instead, next to a wall (which widens it) or anywhere; the move stands if less is
     lost, else fewer cells are tried. Last, single cells are swapped, the best such swap even if it is worse (tabu
-    search); the best plan seen counts. The result is returned only if it loses less on other fires as well.
+    search); where that finds nothing better, some cells are left and others cut anew. The best plan seen counts. It
+    is returned only if it loses less on other fires as well.
 
     Parameters
     ----------
@@ -140,9 +147,9 @@ def refine(
     residual
         Share of its spread probability that an edge into a treated cell keeps.
     moves
-        Largest number of moves; the search ends after a quarter as many swaps without a better plan.
+        Number of moves; small plans gain from more.
     n_runs, seed
-        Fires of the design; judge the plan on others.
+        Fires of the design, which take `seed` as does the search; judge the plan on others.
     fires
         Improve on these fires, drawn for the same residual, without a check on others.
     threads
@@ -179,7 +186,7 @@ def refine(
     limit = budget if unit == "cost" else float(np.count_nonzero(before))
     design = fires or design_fires(network, setting, n_runs=n_runs, seed=seed, residual=residual)
     plan = _Plan(network, setting, plane > -np.inf, before, design, price, limit, threads)
-    cells = _search(plan, moves, part(progress, 0.0, 0.9))
+    cells = _search(plan, moves, seed, part(progress, 0.0, 0.9))
     after = np.zeros(network.shape, bool)
     after.ravel()[cells] = True
     if fires is None:
@@ -196,22 +203,29 @@ def refine(
     return np.where(plane > -np.inf, refined, -np.inf)
 
 
-def _search(plan: _Plan, moves: int, progress: Progress) -> np.ndarray:
+def _search(plan: _Plan, moves: int, seed: int, progress: Progress) -> np.ndarray:
     """Cells of the best plan found."""
     size = max(int(_FIRST * plan.cells.size), 1)
     lost = plan.spend(-(-size // _STEPS), part(progress, 0.0, 0.0))
     best = (lost, plan.alive.copy())
     barred: dict[int, int] = {}
+    random = np.random.default_rng(seed)
     last = 0
     for move in range(moves):
         step = part(progress, move / moves, (move + 1) / moves, f"move {move + 1}: ")
-        lost = _exchange(plan, size, step) if size > 1 else _swap(plan, barred, move, step)
+        if size > 1:
+            lost = _exchange(plan, size, step)
+        elif move - last <= _PATIENCE:
+            lost = _swap(plan, barred, move, step)
+        else:
+            plan.alive[:] = best[1]
+            lost, last, barred = _disturb(plan, random, step), move, {}
         if lost < best[0] * (1 - 1e-12):
             best, last = (lost, plan.alive.copy()), move
         elif size > 1:
             plan.alive[:] = best[1]
             size, last = size // 2, move
-        if lost == np.inf or best[0] == 0.0 or move - last > max(moves // 4, 1):
+        if best[0] == 0.0:
             break
     plan.alive[:] = best[1]
     return plan.cells
@@ -221,6 +235,21 @@ def _exchange(plan: _Plan, size: int, progress: Progress) -> float:
     """Leave the cells that do least and spend the money anew; the loss then."""
     plan.alive[plan.apart(plan.least(part(progress, 0.0, 0.5)), size)] = True
     return plan.spend(-(-size // _STEPS), part(progress, 0.5, 0.5))
+
+
+def _disturb(plan: _Plan, random: np.random.Generator, progress: Progress) -> float:
+    """Leave cells near each other, or anywhere, and spend the money by one of two scores; the loss then."""
+    cells = plan.cells
+    count = int(random.integers(2, min(max(cells.size // 2, 2), _MOST) + 1))
+    order = random.permutation(cells)
+    if random.random() < 0.5:
+        row, col = np.divmod(cells, plan.shape[1])
+        at = random.integers(cells.size)
+        order = cells[np.argsort(np.hypot(row - row[at], col - col[at]), kind="stable")]
+    plan.alive[order[:count]] = True
+    kernel = dominated if random.random() < 0.5 else downstream
+    plan.spend(1, part(progress, 0.0, 0.0), kernel)
+    return plan.spend(1, part(progress, 0.5, 0.5))
 
 
 def _swap(plan: _Plan, barred: dict[int, int], move: int, progress: Progress) -> float:
