@@ -14,6 +14,7 @@ __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from firebreak_gis.breaks import break_polygons, removal_order, select_breaks
+    from firebreak_gis.distributed import simulate_distributed
     from firebreak_gis.errors import Cancelled, FirebreakError
     from firebreak_gis.evaluation import evaluate
     from firebreak_gis.landscape import read_landscape
@@ -41,6 +42,7 @@ _HOMES = {
     "removal_order": "breaks",
     "select_breaks": "breaks",
     "simulate": "simulation",
+    "simulate_distributed": "distributed",
     "spread_network": "spread",
     "SpreadNetwork": "network",
     "write_raster": "rasters",

@@ -38,8 +38,9 @@ class Ignitions:
 
 
 def resolve_ignitions(
-    network: SpreadNetwork, ignitions: Any = None, *, mode: IgnitionMode = "each", n_runs: int, seed: int
-) -> Ignitions:
+    network: SpreadNetwork, ignitions: Any = None, *, mode: IgnitionMode = "each", n_runs: int, first_run: int = 0,
+    seed: int,
+) -> Ignitions:  # fmt: skip
     """Decide the ignition cells of every run.
 
     Parameters
@@ -55,6 +56,8 @@ def resolve_ignitions(
         `"each"`: run i starts at point i modulo their number. `"all"`: every run starts at all points.
     n_runs
         Number of runs, at least 1. Run i is the same for any number of runs.
+    first_run
+        Number of the first run.
     seed
         Seed of the draws.
 
@@ -65,7 +68,7 @@ def resolve_ignitions(
     InputError
         If a point lies outside the grid or on a cell without fuel, or the raster has no weight on fuel.
     """
-    for name, number, least in (("n_runs", n_runs, 1), ("seed", seed, 0)):
+    for name, number, least in (("n_runs", n_runs, 1), ("first_run", first_run, 0), ("seed", seed, 0)):
         if not isinstance(number, (int, np.integer)) or isinstance(number, bool) or number < least:
             raise ParameterError(f"{name} is {number!r}, expected a whole number of at least {least}")
     if mode not in ("each", "all"):
@@ -79,13 +82,13 @@ def resolve_ignitions(
     weights = _weights(network, ignitions)
     if weights is not None:
         cumulative = np.cumsum(weights)
-        draw = uniforms(stream_key(seed, "ignitions"), n_runs) * cumulative[-1]
+        draw = uniforms(stream_key(seed, "ignitions"), n_runs, first_run) * cumulative[-1]
         cells = np.searchsorted(cumulative, draw, side="right")
         return Ignitions(np.arange(n_runs + 1), cells.astype(np.int64))
     points = _point_cells(network, ignitions)
     if mode == "all":
         return Ignitions(np.arange(n_runs + 1) * points.size, np.tile(points, n_runs))
-    return Ignitions(np.arange(n_runs + 1), points[np.arange(n_runs) % points.size])
+    return Ignitions(np.arange(n_runs + 1), points[np.arange(first_run, first_run + n_runs) % points.size])
 
 
 def _weights(network: SpreadNetwork, ignitions: Any) -> np.ndarray | None:

@@ -40,6 +40,7 @@ def simulate(
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
     n_runs: int = 100,
+    first_run: int = 0,
     seed: int = 0,
     threads: int | None = None,
     progress: Progress | None = None,
@@ -61,6 +62,8 @@ def simulate(
         See `firebreak_gis.ignitions.resolve_ignitions`; default: one random cell with fuel a run.
     n_runs
         Number of runs. Run i is the same for any number of runs.
+    first_run
+        Number of the first run: runs 0 to 99 and runs 100 to 199 are together the first 200.
     seed
         Seed of the draws; the same seed gives the same fires with and without breaks.
     threads
@@ -87,14 +90,16 @@ def simulate(
     from firebreak_gis.kernels.lanes import burn_block
     from firebreak_gis.kernels.percolation import burn_runs
 
-    start = resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, seed=seed)
+    start = resolve_ignitions(
+        network, ignitions, mode=ignition_mode, n_runs=n_runs, first_run=first_run, seed=seed
+    )
     cells = start.cells
     burnt_network = network
     if breaks is not None:
         burnt_network = network.treated(breaks, residual=residual)
         if residual == 0.0:
             cells = np.where(network.mask(breaks, "breaks").ravel()[cells], -1, cells)
-    fires = _Fires(burnt_network, start.starts, cells, n_runs=n_runs, seed=seed)
+    fires = _Fires(burnt_network, start.starts, cells, n_runs=n_runs, first_run=first_run, seed=seed)
     counts = np.zeros(network.burnable.size, np.uint32)
     sizes = np.zeros(n_runs, np.int64)
     worth = np.zeros(0) if value is None else network.plane(value, "value").astype(np.float64).ravel()
@@ -116,8 +121,7 @@ def simulate(
     # Values are added up run by run, so that their sum has one order.
     block = together if value is None else None
     fires.run(one_by_one, block, lambda: (counts, sizes[:_PILOT]), threads=threads, progress=progress)
-    burns = _burns(network, counts.reshape(network.shape), sizes, seed)
-    return burns if value is None else burns.assign(value_lost=annotate(_by_run(lost, "value_lost")))
+    return burn_maps(network, counts.reshape(network.shape), sizes, seed=seed, lost=None if value is None else lost)
 
 
 def burn_curve(
@@ -210,15 +214,17 @@ class _Fires:
     """
 
     def __init__(
-        self, network: SpreadNetwork, starts: np.ndarray, cells: np.ndarray, *, n_runs: int, seed: int
-    ) -> None:
+        self, network: SpreadNetwork, starts: np.ndarray, cells: np.ndarray, *, n_runs: int, seed: int,
+        first_run: int = 0,
+    ) -> None:  # fmt: skip
         from firebreak_gis.kernels.draws import run_keys, thresholds
         from firebreak_gis.kernels.percolation import steps
 
         self.shape = network.shape
         self.n_runs = n_runs
         grid_steps = steps(network.shape, periodic=network.boundary == "periodic")
-        self.given = (thresholds(network.probability), run_keys(seed, "edges", n_runs), grid_steps, starts, cells)
+        keys = run_keys(seed, "edges", n_runs, first_run)
+        self.given = (thresholds(network.probability), keys, grid_steps, starts, cells)
         self._own = threading.local()
 
     def lanes(self, *, curve: bool = False) -> Lanes:
@@ -256,22 +262,20 @@ class _Fires:
         run_pieces(lambda piece: work(*piece), pieces, threads=threads, progress=report, message="burning")
 
 
-def _burns(network: SpreadNetwork, counts: np.ndarray, sizes: np.ndarray, seed: int) -> xr.Dataset:
+def burn_maps(
+    network: SpreadNetwork, counts: np.ndarray, sizes: np.ndarray, *, seed: int, lost: np.ndarray | None = None
+) -> xr.Dataset:
+    """Dataset of `simulate` from burnt runs a cell, burnt cells a run and value lost a run."""
     import xarray as xr
 
     n_runs = sizes.size
     frequency = np.where(network.burnable, counts / n_runs, np.nan).astype(np.float32)
+    planes = {"burn_count": counts, "burn_frequency": frequency}
+    runs = {"fire_size": sizes} if lost is None else {"fire_size": sizes, "value_lost": lost}
     return xr.Dataset(
         {
-            "burn_count": annotate(network.grid.dataarray(counts, "burn_count")),
-            "burn_frequency": annotate(network.grid.dataarray(frequency, "burn_frequency")),
-            "fire_size": annotate(_by_run(sizes, "fire_size")),
+            **{name: annotate(network.grid.dataarray(plane, name)) for name, plane in planes.items()},
+            **{name: annotate(xr.DataArray(each, dims="run", name=name)) for name, each in runs.items()},
         },
         attrs={"n_runs": n_runs, "seed": seed, "n_burnable": network.n_burnable},
     )
-
-
-def _by_run(values: np.ndarray, name: str) -> xr.DataArray:
-    import xarray as xr
-
-    return xr.DataArray(values, dims="run", name=name)

@@ -52,9 +52,9 @@ def stream_key(seed: int, purpose: str) -> np.uint64:
     return np.uint64(sequence.generate_state(1, np.uint64)[0])
 
 
-def run_keys(seed: int, purpose: str, n_runs: int) -> np.ndarray:
-    """Keys of runs 0 .. n_runs - 1, (n_runs,) uint64."""
-    return words(stream_key(seed, purpose), 0, n_runs)
+def run_keys(seed: int, purpose: str, n_runs: int, first_run: int = 0) -> np.ndarray:
+    """Keys of runs first_run .. first_run + n_runs - 1, (n_runs,) uint64."""
+    return words(stream_key(seed, purpose), first_run, n_runs)
 
 
 @inlined
