@@ -58,7 +58,7 @@ def simulate_distributed(
     network is sent to a worker once.
     """
     try:
-        import dask
+        from dask.delayed import delayed
     except ImportError:
         raise MissingComponentError(
             "dask is not installed, which spreads the runs; install firebreak_gis[scale]"
@@ -71,14 +71,14 @@ def simulate_distributed(
     resolve_ignitions(
         network, where.get("ignitions"), mode=where.get("ignition_mode", "each"), n_runs=n_runs, seed=seed
     )
-    shared, task, joined = dask.delayed(network), dask.delayed(_part), dask.delayed(_join)
+    shared, task, joined = delayed(network), delayed(_part), delayed(_join)
     parts = [
         task(shared, n_runs=min(runs_per_task, n_runs - first), first_run=first, seed=seed, **fires)
         for first in range(0, n_runs, runs_per_task)
     ]
     while len(parts) > 1:  # two and two, so that no machine holds more than a few maps
         parts = [joined(*parts[i : i + 2]) if i + 1 < len(parts) else parts[i] for i in range(0, len(parts), 2)]
-    counts, sizes, lost = dask.compute(parts[0])[0]
+    counts, sizes, lost = parts[0].compute()
     return burn_maps(network, counts, sizes, seed=seed, lost=lost)
 
 

@@ -75,6 +75,6 @@ def test_refused_before_any_task(network):
 
 
 def test_without_dask(network, monkeypatch):
-    monkeypatch.setitem(sys.modules, "dask", None)
+    monkeypatch.setitem(sys.modules, "dask.delayed", None)
     with pytest.raises(MissingComponentError, match=r"firebreak_gis\[scale\]"):
         simulate_distributed(network, n_runs=10)
