@@ -6,6 +6,7 @@ import io
 
 import matplotlib as mpl
 import numpy as np
+import pandas as pd
 import pytest
 from matplotlib.image import imread
 
@@ -15,6 +16,7 @@ from firebreak_gis.evaluation import summarise
 from firebreak_gis.grid import Grid
 from firebreak_gis.paper.landscape import grey_levels
 from firebreak_gis.report import figures, paper
+from firebreak_gis.report.comparison import comparison_figure
 from firebreak_gis.report.curve import curve_figure
 from firebreak_gis.report.overview import overview_figure
 from firebreak_gis.schema import VARIABLES
@@ -167,3 +169,24 @@ def test_figures_of_the_paper(landscape, result):
     ]
     for drawn in (paper.figure_3(landscape), figure, six):
         assert picture(drawn).std() > 0.01
+
+
+def test_comparison_has_a_panel_for_every_leak():
+    rows = [
+        {"method": method, "d_f": d_f, "residual": residual, "ha_cut": 40.0 * d_f, "R": 0.5 - d_f + residual,
+         "burnt_ha": 40 * (0.5 - d_f + residual), "burnt_ha_low": 8.0, "burnt_ha_high": 20.0,
+         "leverage": (0.9 - 0.5 + d_f - residual) / d_f}
+        for method in ("dissection", "compartments:width=2", "random") for d_f in (0.1, 0.2) for residual in (0.0, 0.1)
+    ]  # fmt: skip
+    figure = comparison_figure(pd.DataFrame(rows), n_burnable=1000, cell_area_ha=0.04)
+    assert [axes.get_title(loc="left") for axes in figure.axes] == [
+        "perfect breaks",
+        "breaks that leak: treated cells keep 10 %",
+    ]
+    for axes, residual in zip(figure.axes, (0.0, 0.1), strict=True):
+        *curves, untreated = axes.get_lines()
+        assert [line.get_label() for line in curves] == ["dissection", "compartments:width=2", "random"]
+        assert [line.get_linestyle() for line in curves] == ["-", "--", ":"]
+        np.testing.assert_allclose(curves[0].get_ydata(), [0.4 + residual, 0.3 + residual])
+        np.testing.assert_allclose(untreated.get_ydata(), 0.9)
+    assert picture(figure).std() > 0.01

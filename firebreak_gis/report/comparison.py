@@ -10,6 +10,9 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+#: Rankings that lay a pattern known from practice.
+PATTERNS = ("compartments", "dfpz", "splat", "stripes")
+
 
 def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: float) -> Figure:
     """Draw mean burnt share against budget.
@@ -21,43 +24,57 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
     n_burnable, cell_area_ha
         Cells that hold fuel, and their area.
     """
+    from matplotlib.ticker import PercentFormatter
+
     residuals = sorted(rows["residual"].unique())
     labels = list(dict.fromkeys(rows["method"]))
-    figure = new_figure(4.6 * len(residuals) + 0.6, 5.2)
+    figure = new_figure(4.6 * len(residuals) + 0.6, 5.4)
     panels = figure.subplots(1, len(residuals), sharey=True, squeeze=False)[0]
     total = n_burnable * cell_area_ha
     for axes, residual in zip(panels, residuals, strict=True):
         for k, label in enumerate(labels):
             picked = rows[(rows["residual"] == residual) & (rows["method"] == label)].sort_values("d_f")
-            colour = "#6c757d" if label == "random" else LINE_COLOURS[k % len(LINE_COLOURS)]
-            marker = "osD^vP*X"[k % 8]
-            low, high = picked["burnt_ha_low"] / total, picked["burnt_ha_high"] / total
+            colour, line = _look(label, k)
             axes.plot(
-                picked["d_f"],
-                picked["R"],
-                color=colour,
-                lw=1.6,
-                marker=marker,
-                ms=4,
-                label=label,
-                ls="--" if label == "random" else "-",
+                picked["d_f"], picked["R"], color=colour, ls=line, lw=1.6, marker="osD^vP*X"[k % 8], ms=4.5, label=label
             )
-            axes.fill_between(
-                picked["d_f"], low.clip(lower=1e-4), high.clip(lower=1e-4), color=colour, alpha=0.15, lw=0
-            )
-        leak = "perfect breaks" if residual == 0 else f"treated cells keep {100 * residual:g} %"
+            low, high = (picked[f"burnt_ha_{end}"].clip(lower=1e-6 * total) / total for end in ("low", "high"))
+            axes.fill_between(picked["d_f"], low, high, color=colour, alpha=0.12, lw=0)
+        untreated = _untreated(rows) / total
+        axes.axhline(untreated, color="#222222", lw=0.8, ls=":")
+        axes.annotate(
+            "no breaks", (1, untreated), xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize=7
+        )
+        leak = "perfect breaks" if residual == 0 else f"breaks that leak: treated cells keep {100 * residual:g} %"
         axes.set_title(leak, fontsize=10, loc="left", fontweight="bold")
         axes.set_yscale("log")
-        axes.set_xlabel("share of burnable cells cut, $d_f$", fontsize=9)
-        axes.grid(color="#e0e0e0", lw=0.5, which="both")
+        axes.xaxis.set_major_formatter(PercentFormatter(1.0, decimals=None))
+        axes.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=None))
+        axes.set_xlabel("share of the fuel cut, $d_f$", fontsize=9)
+        axes.set_xlim(left=0.0)
+        axes.grid(color="#e6e6e6", lw=0.5, which="both")
         axes.tick_params(labelsize=8)
-    panels[0].set_ylabel("mean burnt share of the fuel, $R$ (log)", fontsize=9)
-    panels[0].set_ylim(max(5e-4, 0.6 * float(rows["R"].min())), 1.1)
+    panels[0].set_ylabel("mean share of the fuel burnt, $R$ (log scale)", fontsize=9)
+    panels[0].set_ylim(max(5e-4, 0.7 * float(rows["R"].min())), 1.3)
     figure.legend(
         *panels[0].get_legend_handles_labels(),
         loc="outside lower center",
-        ncols=min(len(labels), 6),
+        ncols=min(len(labels), 8),
         fontsize=8,
         frameon=False,
     )
     return figure
+
+
+def _look(label: str, k: int) -> tuple[str, str]:
+    """Colour and line of a ranking; patterns of practice are dashed, chance is grey."""
+    method = label.partition(":")[0]
+    if method == "random":
+        return "#6c757d", ":"
+    return LINE_COLOURS[k % len(LINE_COLOURS)], "--" if method in PATTERNS else "-"
+
+
+def _untreated(rows: pd.DataFrame) -> float:
+    """Hectares burnt without breaks: what burns with them and what they save."""
+    first = rows.sort_values("ha_cut").iloc[-1]
+    return float(first["burnt_ha"] + first["leverage"] * first["ha_cut"])
