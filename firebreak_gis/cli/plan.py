@@ -52,7 +52,8 @@ def command(session: Session, **given: Any) -> None:
     """Plan fire breaks: DEM, VEGETATION and DENSITY rasters in, breaks and burn maps out.
 
     The layers may have any CRS, extent and cell size; they are laid on one square grid in metres. DENSITY may
-    be a raster, one of the words sparse, normal, dense, or left out if the legend gives the density.
+    be a raster, one of the words sparse, normal, dense, continuity (how closed the fuel is), or left out if the
+    legend gives the density. DEM alone may be a FlamMap landscape (.lcp).
     """
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape.planes import ignition_source
