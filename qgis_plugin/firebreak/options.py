@@ -91,9 +91,9 @@ class OptionsPage(QgsOptionsPageWidget):
         text = QLabel(
             translate(
                 "Firebreak",
-                "Makes a Python environment in your QGIS profile and installs firebreak_gis into it, from "
-                "the package index, about 600 MB. The Python of QGIS is left alone. Nothing is "
-                "installed until you press the button.",
+                "Makes a Python environment in your QGIS profile, about 900 MB, and installs firebreak_gis into it: "
+                "from the package index, or from the path of a clone or a wheel. The Python of QGIS is left alone. "
+                "Nothing is installed until you press the button.",
             )
         )
         text.setWordWrap(True)
@@ -103,7 +103,7 @@ class OptionsPage(QgsOptionsPageWidget):
         form.addRow(translate("Firebreak", "Python to make it from"), self._base)
         self._package = QLineEdit(settings.package_setting(""))
         self._package.setPlaceholderText(PACKAGE)
-        self._package.setToolTip(translate("Firebreak", "The path of a wheel, where there is no network."))
+        self._package.setToolTip(translate("Firebreak", "A name in the index, or the path of a clone or a wheel."))
         form.addRow(translate("Firebreak", "Package"), self._package)
         self._make = QPushButton(translate("Firebreak", "Make engine"))
         self._make.clicked.connect(self._start)

@@ -61,7 +61,7 @@ def make_engine(
     base
         Interpreter to make it from, by default the best of `base_interpreters`.
     package
-        What pip shall install: a name, or the path of a wheel for machines without a network.
+        What pip shall install: a name, or the path of a clone or a wheel.
     report
         Called with the share done and a line of text.
     cancelled
