@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import threading
 
 import igraph
@@ -216,6 +217,13 @@ def test_progress_of_sampling_shows_the_bound_and_rises():
     assert shares == sorted(shares)
     assert shares[-1] == 1.0
     assert calls[-1][1] == f"{sample.pivots} pivots, error below {sample.epsilon:.3g}"
+    told = [re.fullmatch(r"(\d+) pivots, error below (\S+)", text) for _, text in calls]
+    assert all(told)
+    pivots, bounds = zip(*((int(match[1]), float(match[2])) for match in told if match), strict=True)
+    assert list(pivots) == sorted(pivots)
+    assert bounds[0] == 1.0
+    assert any(0.05 < bound < 1.0 for bound in bounds)  # it comes down on the way
+    assert bounds[-1] <= 0.05
 
 
 def test_progress_is_called_while_a_batch_runs(monkeypatch):
