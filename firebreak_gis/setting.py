@@ -66,8 +66,9 @@ class Setting:
     ) -> None:
         problems: list[str] = []
         fuel = network.burnable
+        alike = fuel.astype(np.float64)  # one plane for all that is not given
         planes = {
-            name: _weights(network, data, name, problems)
+            name: _weights(network, data, name, alike, problems)
             for name, data in (("cost", cost), ("value", value), ("ignition", ignition))
         }
         for name, what in (("value", "nothing can be lost"), ("ignition", "no fire can start")):
@@ -86,9 +87,10 @@ class Setting:
             object.__setattr__(self, name, plane)
 
 
-def _weights(network: SpreadNetwork, data: Plane | None, name: str, problems: list[str]) -> np.ndarray:
-    """Plane of numbers >= 0, zero off fuel; adds to `problems` what is wrong with it."""
-    default: np.ndarray = network.burnable.astype(np.float64)
+def _weights(
+    network: SpreadNetwork, data: Plane | None, name: str, default: np.ndarray, problems: list[str]
+) -> np.ndarray:
+    """Plane of numbers >= 0, zero off fuel; `default` if none are given. Adds to `problems` what is wrong."""
     if data is None:
         return default
     try:
