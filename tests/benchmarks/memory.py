@@ -13,7 +13,7 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -26,14 +26,15 @@ STEPS = {
 }  # fmt: skip
 #: At most so many bytes a cell: three times the probabilities, them included.
 _ASKED = {"Bonacich": 96.0}
-_SIDES = (700, 1400)
+_SIDES, _SLOW_SIDES = (700, 1400), (400, 800)
 
 
-def figures(names: Iterator[str] | None = None) -> Iterator[Figure]:
+def figures(names: Iterable[str] = tuple(STEPS)) -> Iterator[Figure]:
     """Bytes a cell of every step."""
-    for name in names or STEPS:
-        peaks = [_peak_of(name, side) for side in _SIDES]
-        cells = [side * side for side in _SIDES]
+    for name in names:
+        sides = _SLOW_SIDES if name == "dissection" else _SIDES
+        peaks = [_peak_of(name, side) for side in sides]
+        cells = [side * side for side in sides]
         per_cell = (peaks[1] - peaks[0]) / (cells[1] - cells[0])
         yield Figure(MEMORY + name, cells[1], per_cell, "B/cell", _ASKED.get(name), threads=STEPS[name])
 

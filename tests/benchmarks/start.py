@@ -9,6 +9,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -23,19 +24,31 @@ _FIRST_FIRE = (
 )
 
 
-def _program(*arguments: str, environment: Mapping[str, str] | None = None) -> tuple[float, str]:
-    """Seconds by the clock of a fresh Python, and what it prints."""
-    started = time.perf_counter()
+@dataclass
+class _Ran:
+    """How long a program ran by the clock, what it took of the processor, and what it printed."""
+
+    clock: float
+    processor: float
+    printed: str
+
+
+def _program(*arguments: str, environment: Mapping[str, str] | None = None) -> _Ran:
+    """Run a fresh Python to its end."""
+    before, started = os.times(), time.perf_counter()
     done = subprocess.run(
         [sys.executable, *arguments], env={**os.environ, **(environment or {})}, check=True, capture_output=True,
         text=True,
     )  # fmt: skip
-    return time.perf_counter() - started, done.stdout
+    clock, after = time.perf_counter() - started, os.times()
+    processor = after.children_user + after.children_system - before.children_user - before.children_system
+    return _Ran(clock, processor or clock, done.stdout)  # Windows does not count children
 
 
 def _median(*arguments: str, rounds: int = 5) -> float:
+    """Seconds of processor time that a program takes."""
     _program(*arguments)
-    return float(np.median([_program(*arguments)[0] for _ in range(rounds)]))
+    return float(np.median([_program(*arguments).processor for _ in range(rounds)]))
 
 
 def start_rows() -> Iterator[Figure]:
@@ -54,22 +67,22 @@ def whole_rows(side: int) -> Iterator[Figure]:
     with tempfile.TemporaryDirectory() as folder:
         layers = [str(path) for path in write_layers(Path(folder) / "layers", side)]
         way = ("-m", "tests.benchmarks.whole", *layers, str(Path(folder) / "out"))
-        runs: list[tuple[float, dict[str, Any]]] = []
-        rounds = 4 if side <= 1000 else 1
-        for _ in range(rounds):
-            took, printed = _program(*way)
-            runs.append((took, json.loads(printed)))
-        kept = runs[1:] or runs
-        yield Figure("files to files", cells, float(np.median([r[0] for r in kept])), "s", warm, threads=number)
-        for name in runs[0][1]["steps"]:
-            part = float(np.median([r[1]["steps"][name] for r in kept]))
+        runs = [_program(*way) for _ in range(4 if side <= 1000 else 1)]
+        runs = runs[1:] or runs
+        told: list[dict[str, Any]] = [json.loads(run.printed) for run in runs]
+        yield Figure("files to files", cells, float(np.median([r.clock for r in runs])), "s", warm, threads=number)
+        processor = float(np.median([r.processor for r in runs]))
+        yield Figure("files to files, processor time", cells, processor, "s", threads=number)
+        for name in told[0]["steps"]:
+            part = float(np.median([t["steps"][name] for t in told]))
             yield Figure(f"files to files, of this {name}", cells, part, "s", threads=number)
-        peak = max(r[1]["peak"] for r in runs) / 1e9
+        peak = max(t["peak"] for t in told) / 1e9
         yield Figure("files to files, peak memory", cells, peak, "GB", 4.0 if side == 3000 else None, threads=number)
         command = ("-m", "firebreak_gis", "plan", *layers, "--legend", "paper", "--method", "bonacich", "--overwrite",
                    "-q", "-o", str(Path(folder) / "plan"))  # fmt: skip
-        yield Figure("`firebreak plan`, with evaluation and picture", cells, _program(*command)[0], "s", threads=number)
+        took = _program(*command).clock
+        yield Figure("`firebreak plan`, with evaluation and picture", cells, took, "s", threads=number)
         if first is not None:
             fresh = {"NUMBA_CACHE_DIR": str(Path(folder) / "cache")}
-            took = _program(*way, environment=fresh)[0]
+            took = _program(*way, environment=fresh).clock
             yield Figure("files to files, the very first time", cells, took, "s", first, threads=number)
