@@ -21,8 +21,8 @@ from tests.benchmarks.measuring import MEMORY, Figure
 
 #: Steps, and the threads that they use.
 STEPS = {
-    "align": 1, "network": 1, "degree": 1, "Bonacich": 1, "eigenvector": 1, "betweenness, sampled": 1,
-    "dissection": 1, "breaks": 1, "burns": 1, "burns, 2 threads": 2, "curve": 1, "write": 1,
+    "align": 1, "network": 1, "degree": 1, "Bonacich": 1, "eigenvector": 1, "sampled betweenness": 1,
+    "dissection": 1, "breaks": 1, "burns": 1, "burns on 2 threads": 2, "curve": 1, "write": 1,
 }  # fmt: skip
 #: At most so many bytes a cell: three times the probabilities, them included.
 _ASKED = {"Bonacich": 96.0}
@@ -85,7 +85,7 @@ def _prepare(step: str, side: int, folder: Path) -> Callable[[], Any]:
         "degree": lambda: fb.rank(network, "degree"),
         "Bonacich": lambda: fb.rank(network, "bonacich", beta=0.9),
         "eigenvector": lambda: fb.rank(network, "eigenvector"),
-        "betweenness, sampled": lambda: fb.rank(network, "betweenness", pivots=2),
+        "sampled betweenness": lambda: fb.rank(network, "betweenness", pivots=2),
         "dissection": lambda: fb.rank(network, "dissection"),
         "breaks": lambda: fb.select_breaks(priority, budget=0.1, burnable=network.burnable),
         "curve": lambda: fb.burn_curve(network, priority, budgets=np.linspace(0, 0.4, 41), n_runs=16),
