@@ -28,6 +28,8 @@ _FIRST = 1 / 8
 _STEPS = 4
 #: Cells of a batch lie farther apart than this, so that what one does hardly depends on the others.
 _APART = 2
+#: A cell that does more than this many times an even share of all value is not followed further.
+_FOLLOWED = 8.0
 #: Cut cells that are tried in a swap, those that do least first.
 _TRIES = 8
 #: Swaps for which a cell that came or went stays as it is.
@@ -73,7 +75,9 @@ class _Plan:
         n_runs = self.fires.keys.size
         parts = pieces(n_runs)
         sums = np.zeros((len(parts), self.alive.size))
-        enough = float(self.value.sum()) * n_runs / len(parts)
+        cells = self.cells
+        # Of many cells only the least count, so what does much need not be followed to its end.
+        enough = float(self.value.sum()) * n_runs / len(parts) * min(_FOLLOWED / max(cells.size, 1), 1.0)
 
         def work(i: int) -> None:
             reopened(
@@ -82,7 +86,6 @@ class _Plan:
             )  # fmt: skip
 
         burn_pieces(work, n_runs, self.alive.size, threads=self.threads, progress=progress)
-        cells = self.cells
         return cells[np.argsort(sums.sum(axis=0)[cells] / self.price[cells], kind="stable")]
 
     def spend(self, count: int, progress: Progress, kernel: Kernel = dominated) -> float:
