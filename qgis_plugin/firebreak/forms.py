@@ -194,6 +194,7 @@ LABELS: Mapping[str, str] = {
     "mask": "Fire breaks",
     "budget": "Budget (by default a share of the fuel)",
     "budget_unit": "Unit of the budget",
+    "refine": "Improve the breaks on simulated fires (takes longer)",
     "width": "Least width of the breaks [m]",
     "residual": "Share of the spread that a break lets through",
     "residuals": "Shares that breaks let through, separated by commas",
