@@ -5,7 +5,7 @@ import os
 import pytest
 
 from firebreak_gis import memory, methods
-from firebreak_gis.cli import options
+from firebreak_gis.cli import parsing
 from firebreak_gis.errors import ParameterError, ResourceError
 from tests.benchmarks.estimates import measure
 
@@ -46,10 +46,10 @@ def test_what_does_not_fit_is_refused():
     ("text", "size"), [("4GB", 4 << 30), ("800 MiB", 800 << 20), ("1.5g", 3 << 29), ("1000", 1000), (None, None)]
 )
 def test_sizes(text, size):
-    assert options.byte_size(text) == size
+    assert parsing.byte_size(text) == size
 
 
 @pytest.mark.parametrize("text", ["", "much", "-4GB", "0", "nan", "inf GB"])
 def test_words_that_are_no_sizes(text):
     with pytest.raises(ParameterError, match="such as 4GB"):
-        options.byte_size(text)
+        parsing.byte_size(text)

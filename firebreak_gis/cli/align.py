@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import options
+from firebreak_gis.cli import options, parsing
 from firebreak_gis.cli.layers import input_files, read_layers, recorded
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs
 from firebreak_gis.cli.session import Session
@@ -60,7 +60,7 @@ def command(session: Session, **given: Any) -> None:
             overwrite=given["overwrite"],
             provenance=provenance(parameters),
             forbid=inputs,
-            creation_options=options.pairs(given["creation_options"], "--co"),
+            creation_options=parsing.pairs(given["creation_options"], "--co"),
         )
         files.append(
             write_manifest(

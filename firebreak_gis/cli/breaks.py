@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli import kinds, options, parsing
 from firebreak_gis.cli.session import Session
 
 
@@ -52,7 +52,7 @@ def command(session: Session, priority: str, output: str, polygons: str | None, 
             breaks,
             overwrite=given["overwrite"],
             provenance=provenance({"budget": given["budget"], "unit": given["budget_unit"]}),
-            creation_options=options.pairs(given["creation_options"], "--co"),
+            creation_options=parsing.pairs(given["creation_options"], "--co"),
         )
         if polygons:
             write_vector(polygons, break_polygons(breaks, ranking), layer="breaks", overwrite=given["overwrite"])

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli import kinds, options, parsing
 from firebreak_gis.cli.session import Session
 
 
@@ -39,7 +39,7 @@ def command(session: Session, network: str, output: str, mask: str | None, sizes
     files = [output] + ([sizes] if sizes else [])
     for name in files:
         require_writable(name, overwrite=given["overwrite"], forbid=inputs)
-    seed = options.checked_seed(given["seed"])
+    seed = parsing.checked_seed(given["seed"])
     spread = read_network(network)
     fires = {key: given[key] for key in ("n_runs", "ignitions", "ignition_mode")}
     burns = simulate(
@@ -59,7 +59,7 @@ def command(session: Session, network: str, output: str, mask: str | None, sizes
             overwrite=given["overwrite"],
             provenance=tags,
             forbid=inputs,
-            creation_options=options.pairs(given["creation_options"], "--co"),
+            creation_options=parsing.pairs(given["creation_options"], "--co"),
         )
         if sizes:
             table = burns["fire_size"].to_dataframe(name="cells").reset_index()

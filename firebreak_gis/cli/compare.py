@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from firebreak_gis.cli import kinds, options, stakes
+from firebreak_gis.cli import kinds, options, parsing, stakes
 from firebreak_gis.cli.layers import checked_fires, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import FirebreakError, ParameterError
@@ -75,10 +75,10 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     from firebreak_gis.report.figures import save
     from firebreak_gis.spread.raster import read_network
 
-    seed = options.checked_seed(given["seed"])
-    methods = options.methods_list(method_list)
-    budgets = options.number_list(given["budgets"], "--budgets")
-    residuals = options.number_list(given["residuals"], "--residuals")
+    seed = parsing.checked_seed(given["seed"])
+    methods = parsing.methods_list(method_list)
+    budgets = parsing.number_list(given["budgets"], "--budgets")
+    residuals = parsing.number_list(given["residuals"], "--residuals")
     named = [given[key] for key in ("ignitions", "dem") if given[key]]
     inputs = [network, *named, *stakes.stake_files(given)]
     target = make_folder(output)

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli import kinds, options, parsing
 from firebreak_gis.cli.layers import checked_fires, recorded
 from firebreak_gis.cli.session import Session
 
@@ -72,8 +72,8 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     from firebreak_gis.report.figures import save
     from firebreak_gis.spread.raster import read_network
 
-    seed = options.checked_seed(given["seed"])
-    methods = options.methods_list(method_list)
+    seed = parsing.checked_seed(given["seed"])
+    methods = parsing.methods_list(method_list)
     if given["baseline"] not in {label for label, _, _ in methods}:
         methods.append((given["baseline"], given["baseline"], {}))
     inputs = [p for p in (network, given["ignitions"]) if p and Path(p).is_file()]
@@ -81,7 +81,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     files = [target / name for name in ("evaluation.csv", "evaluation.png", "evaluation.svg")]
     for name in (*files, target / "run.json"):
         require_writable(name, overwrite=given["overwrite"], forbid=inputs)
-    budgets = options.number_list(given["budgets"], "--budgets") if given["budgets"] else default_budgets()
+    budgets = parsing.number_list(given["budgets"], "--budgets") if given["budgets"] else default_budgets()
     spread = read_network(network)
     fires = checked_fires(given, spread)
     priorities = {}

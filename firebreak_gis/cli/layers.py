@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis import methods
-from firebreak_gis.cli import options
+from firebreak_gis.cli import parsing
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.rasters import file_of
@@ -54,7 +54,7 @@ def read_layers(given: Mapping[str, Any], session: Session, *, progress: Progres
         *(given[name] for name in LAYERS),
         **grid_options(given),
         unknown=given["unknown"],
-        max_memory=options.byte_size(given["max_memory"]),
+        max_memory=parsing.byte_size(given["max_memory"]),
         progress=progress,
     )
     for sentence in landscape.attrs["alignment"]:
@@ -93,7 +93,7 @@ def spread_params(given: Mapping[str, Any], grid: Grid) -> dict[str, Any]:
     """
     from firebreak_gis.landscape.planes import moisture_plane, wind_planes
 
-    params = options.pairs(given["model_params"], "--model-param")
+    params = parsing.pairs(given["model_params"], "--model-param")
     known = {p["name"] for p in methods.describe("spread", given["model"])["parameters"]}
     values = weather(given)
     speed, direction = wind_planes(values["wind_speed"], values["wind_from"], grid)
@@ -164,7 +164,7 @@ def _layer_values(words: Any, option: str, kind: type) -> dict[str, list[Any]]:
     """Read LAYER=VALUE,VALUE words; what is given twice for a layer is added up."""
     result: dict[str, list[Any]] = {}
     for word in [f"{k}={v}" for k, v in words.items()] if isinstance(words, Mapping) else words:
-        ((layer, text),) = options.pairs((word,), option).items()
+        ((layer, text),) = parsing.pairs((word,), option).items()
         if layer not in LAYERS:
             raise ParameterError(f"{option} names {layer!r}, expected dem, vegetation or density")
         try:

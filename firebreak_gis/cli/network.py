@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import options
+from firebreak_gis.cli import options, parsing
 from firebreak_gis.cli.layers import input_files, spread_params
 from firebreak_gis.cli.session import Session
 
@@ -45,7 +45,7 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
         overwrite=given["overwrite"],
         provenance=tags,
         forbid=inputs,
-        creation_options=options.pairs(given["creation_options"], "--co"),
+        creation_options=parsing.pairs(given["creation_options"], "--co"),
     )
     session.finish(
         {"files": [output], "burnable_cells": network.n_burnable},

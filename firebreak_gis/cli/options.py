@@ -9,8 +9,7 @@ from typing import Any, TypeVar
 
 import click
 
-from firebreak_gis import methods
-from firebreak_gis.cli import kinds
+from firebreak_gis.cli import kinds, parsing
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.manifest import read_config
@@ -121,7 +120,7 @@ def fitting(work: str) -> Callable[[F], F]:
     def decorate(command: F) -> F:
         @functools.wraps(command)
         def wrapper(*args: Any, max_memory: str | None, **kwargs: Any) -> Any:
-            _require_room(work, kwargs, byte_size(max_memory))
+            _require_room(work, kwargs, parsing.byte_size(max_memory))
             return command(*args, **kwargs)
 
         return _max_memory(wrapper)  # type: ignore[return-value]
@@ -138,7 +137,7 @@ def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -
         rows, cols = read_header(source, band=1).shape
     except InputError:
         return  # the command says it better
-    names = [name for _, name, _ in methods_list(given["method_list"])] if "method_list" in given else []
+    names = [name for _, name, _ in parsing.methods_list(given["method_list"])] if "method_list" in given else []
     names += [given["method"]] if "method" in given else []
     needed = memory.bytes_for(work, rows * cols, method=",".join(names))
     memory.require_memory(needed, f"firebreak {work} on {rows} x {cols} cells", max_memory=max_memory)
@@ -398,80 +397,3 @@ def _apply(options: list[Callable[[Any], Any]], command: F) -> F:
     for option in reversed(options):
         command = option(command)
     return command
-
-
-def pairs(values: tuple[str, ...] | Mapping[str, Any], option: str) -> dict[str, Any]:
-    """Split NAME=VALUE words; a mapping (from --config) passes.
-
-    Raises
-    ------
-    ParameterError
-        If a word has no "=".
-    """
-    if isinstance(values, Mapping):
-        return dict(values)
-    result = {}
-    for word in values:
-        name, equals, value = word.partition("=")
-        if not equals or not name:
-            raise ParameterError(f"{option} got {word!r}, expected NAME=VALUE")
-        result[name.strip()] = value.strip()
-    return result
-
-
-def methods_list(text: str) -> list[tuple[str, str, dict[str, Any]]]:
-    """Split "bonacich:beta=0.2,random" into (label, method, parameters)."""
-    result = []
-    for word in filter(None, (w.strip() for w in text.split(","))):
-        name, *params = word.split(":")
-        methods.load("ranking", name)
-        result.append((word, name, pairs(tuple(params), "--methods")))
-    labels = [label for label, _, _ in result]
-    if not result or len(set(labels)) != len(labels):
-        raise ParameterError(f"--methods got {text!r}, expected different names such as bonacich:beta=0.5,random")
-    return result
-
-
-def number_list(text: Any, option: str) -> list[float]:
-    """Split "0,0.05,0.1" into rising numbers.
-
-    Raises
-    ------
-    ParameterError
-        If a word is no number or there is none.
-    """
-    try:
-        numbers = sorted({float(word) for word in str(text).split(",") if word.strip()})
-    except ValueError:
-        numbers = []
-    if not numbers:
-        raise ParameterError(f"{option} got {text!r}, expected numbers such as 0,0.05,0.1")
-    return numbers
-
-
-def checked_seed(value: int) -> int:
-    """Refuse a negative seed."""
-    if value < 0:
-        raise ParameterError(f"--seed is {value}, expected a whole number of at least 0")
-    return value
-
-
-def byte_size(text: str | None) -> int | None:
-    """Read "4GB", "800 MiB" or a number of bytes.
-
-    Raises
-    ------
-    ParameterError
-        If the text is no size.
-    """
-    if text is None:
-        return None
-    words = str(text).strip().upper().replace("IB", "B").rstrip("B")
-    factor = {"K": 2**10, "M": 2**20, "G": 2**30, "T": 2**40}.get(words[-1:], 1)
-    try:
-        size = int(float(words.rstrip("KMGT")) * factor)
-    except (ValueError, OverflowError):
-        size = 0
-    if size <= 0:
-        raise ParameterError(f"--max-memory got {text!r}, expected a size such as 4GB")
-    return size

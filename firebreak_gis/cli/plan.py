@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from firebreak_gis.cli import options, stakes
+from firebreak_gis.cli import options, parsing, stakes
 from firebreak_gis.cli.layers import input_files, read_layers, recorded, spread_params
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
 from firebreak_gis.cli.session import Session
@@ -63,8 +63,8 @@ def command(session: Session, **given: Any) -> None:
 
     parameters = {
         **given,
-        "method_params": options.pairs(given["method_params"], "--param"),
-        "model_params": options.pairs(given["model_params"], "--model-param"),
+        "method_params": parsing.pairs(given["method_params"], "--param"),
+        "model_params": parsing.pairs(given["model_params"], "--model-param"),
     }
     require_possible(parameters)
     inputs = [*input_files(given), *stakes.stake_files(given)]
@@ -99,7 +99,7 @@ def command(session: Session, **given: Any) -> None:
         given["output"],
         parameters=recorded(parameters),
         inputs=inputs,
-        creation_options=options.pairs(given["creation_options"], "--co"),
+        creation_options=parsing.pairs(given["creation_options"], "--co"),
         overwrite=given["overwrite"],
         progress=part(session.progress, 0.8, 1.0),
     )

@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import kinds, options, stakes
+from firebreak_gis.cli import kinds, options, parsing, stakes
 from firebreak_gis.cli.session import Session
 
 
@@ -29,8 +29,8 @@ def command(session: Session, network: str, output: str, **given: Any) -> None:
 
     inputs = [network, *stakes.stake_files(given)]
     require_writable(output, overwrite=given["overwrite"], forbid=inputs)
-    seed = options.checked_seed(given["seed"])
-    params = options.pairs(given["method_params"], "--param")
+    seed = parsing.checked_seed(given["seed"])
+    params = parsing.pairs(given["method_params"], "--param")
     spread, setting = stakes.network_and_setting(read_network(network), given)
     priority = rank(
         spread,
@@ -46,6 +46,6 @@ def command(session: Session, network: str, output: str, **given: Any) -> None:
         overwrite=given["overwrite"],
         forbid=inputs,
         provenance=provenance({"method": given["method"], "method_params": params}, seed=seed),
-        creation_options=options.pairs(given["creation_options"], "--co"),
+        creation_options=parsing.pairs(given["creation_options"], "--co"),
     )
     session.finish({"files": [output]}, f"ranked by {given['method']}; written to {output}")

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from firebreak_gis import memory, methods
-from firebreak_gis.cli import options
+from firebreak_gis.cli import parsing
 from firebreak_gis.cli.layers import LAYERS, WEATHER, grid_options, weather
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, OutputError, ParameterError
@@ -60,7 +60,7 @@ def foresee(
     needed = memory.bytes_for("align", 0) + found.memory
     if method is not None:
         needed = max(needed, memory.bytes_for("plan", rows * cols, method=method))
-    limit = options.byte_size(given["max_memory"])
+    limit = parsing.byte_size(given["max_memory"])
     what = f"a landscape of {rows} x {cols} cells" if method is None else f"a plan of {rows} x {cols} cells by {method}"
     memory.require_memory(needed, what, max_memory=limit)
     size = (_LAYER_BYTES if method is None else _PLAN_BYTES) * rows * cols + _OTHER_BYTES
@@ -107,7 +107,7 @@ def require_possible(given: Mapping[str, Any]) -> None:
     from firebreak_gis.breaks import cells_to_cut
     from firebreak_gis.network import checked_residual
 
-    options.checked_seed(given["seed"])
+    parsing.checked_seed(given["seed"])
     if given["n_runs"] < 1:
         raise ParameterError(f"n_runs is {given['n_runs']}, expected a whole number of at least 1")
     checked_residual(given["residual"])

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import options
+from firebreak_gis.cli import options, parsing
 from firebreak_gis.cli.layers import input_files, read_layers, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
@@ -45,7 +45,7 @@ def artificial_forest_command(session: Session, **given: Any) -> None:
     from firebreak_gis.report.figures import save
     from firebreak_gis.report.paper import figure_1
 
-    options.checked_seed(given["seed"])
+    parsing.checked_seed(given["seed"])
     replace = given["overwrite"]
     target = make_folder(given["output"])
     files = [target / name for name in ("curve.csv", "summary.json", "figure_1.png", "figure_1.svg")]
@@ -132,7 +132,7 @@ def landscape_command(session: Session, **given: Any) -> None:
     from firebreak_gis.report import paper
     from firebreak_gis.report.figures import save
 
-    options.checked_seed(given["seed"])
+    parsing.checked_seed(given["seed"])
     if given["dem"] is None:
         given |= sample_layers()
     elif given["vegetation"] is None:
