@@ -17,7 +17,7 @@ import firebreak_gis
 from firebreak_gis.errors import Cancelled, FirebreakError, ResourceError
 
 #: Modules of this package that are not commands.
-_SUPPORT = {"group", "kinds", "layers", "options", "rehearsal", "session", "stakes"}
+_SUPPORT = {"group", "kinds", "layers", "options", "parsing", "rehearsal", "session", "stakes"}
 
 EXIT_BUG, EXIT_USAGE = 1, 2
 
