@@ -23,6 +23,7 @@ from firebreak_gis.locks import PREFIX, claimed, key_of, locked, reason, remove_
 from firebreak_gis.moving import move_all
 
 _serial = itertools.count()
+_PIECE = 1 << 20
 
 
 @dataclass
@@ -30,6 +31,7 @@ class _Batch:
     """Files of one folder that are finished but not yet in place."""
 
     folder: Path
+    alone: bool
     locks: contextlib.ExitStack
     parts: dict[Path, Path] = field(default_factory=dict)
     removals: list[Path] = field(default_factory=list)
@@ -44,7 +46,7 @@ class _Batch:
         for place in self.parts:
             if place not in self.replaceable and place.exists():
                 raise OutputError(f"the output {place} appeared while it was being made; it was left as it is")
-        move_all(self.parts, self.removals)
+        move_all(self.parts, self.removals, whole=self.alone)
 
     def drop(self) -> None:
         """Remove what was not moved."""
@@ -56,7 +58,7 @@ _batch: ContextVar[_Batch | None] = ContextVar("_batch", default=None)
 
 
 @contextlib.contextmanager
-def together(folder: str | os.PathLike[str]) -> Iterator[Path]:
+def together(folder: str | os.PathLike[str], *, alone: bool = False) -> Iterator[Path]:
     """Let the files that the block writes into `folder` appear together at its end, or none of them.
 
     Where a file cannot be written, or the block is left by an exception, all old files stay. The file
@@ -66,7 +68,9 @@ def together(folder: str | os.PathLike[str]) -> Iterator[Path]:
     Parameters
     ----------
     folder
-        Made if it is missing. Files that the block writes elsewhere are moved at once.
+        Where they go. Files that the block writes elsewhere are moved at once.
+    alone
+        Whether no other run may write a set of files into the folder meanwhile.
 
     Yields
     ------
@@ -76,14 +80,15 @@ def together(folder: str | os.PathLike[str]) -> Iterator[Path]:
     Raises
     ------
     OutputError
-        If the folder cannot be made, another run is writing into it, or the files cannot be moved.
+        If another run is writing into the folder, or the files cannot be moved.
     """
-    place = Path(os.path.realpath(make_folder(folder)))
+    place = Path(os.path.realpath(folder))
     outer = _batch.get()
     if outer is not None and outer.folder == place:
         yield Path(folder)
         return
-    with locked(place, _FOLDER_KEY), _collecting(place) as batch:
+    lock = locked(place, _FOLDER_KEY) if alone else contextlib.nullcontext()
+    with lock, _collecting(place, alone) as batch:
         token = _batch.set(batch)
         try:
             yield Path(folder)
@@ -188,10 +193,10 @@ def replacing(
 
 
 @contextlib.contextmanager
-def _collecting(folder: Path) -> Iterator[_Batch]:
+def _collecting(folder: Path, alone: bool = False) -> Iterator[_Batch]:
     """Collect finished files of a folder and move them when the block ends well."""
     with contextlib.ExitStack() as locks:
-        batch = _Batch(folder, locks)
+        batch = _Batch(folder, alone, locks)
         try:
             yield batch
             batch.commit()
@@ -209,8 +214,27 @@ def write_text(target: str | os.PathLike[str], text: str, *, overwrite: bool = F
     write_bytes(target, text.encode("utf-8"), overwrite=overwrite)
 
 
-def write_bytes(target: str | os.PathLike[str], content: bytes, *, overwrite: bool = False) -> None:
+def write_bytes(
+    target: str | os.PathLike[str],
+    content: bytes | memoryview,
+    *,
+    overwrite: bool = False,
+    verify: Callable[[Path], None] | None = None,
+    forbid: Iterable[str | os.PathLike[str]] = (),
+    remove: Iterable[str | os.PathLike[str]] = (),
+) -> None:
     """Write a file through `replacing`, and read it back.
+
+    GDAL and SQLite make their files in memory and leave the writing to this function: on a disk that is
+    full or fails they may say nothing, and leave a file whose values read well but whose overviews, texts or
+    index are broken.
+
+    Parameters
+    ----------
+    target, overwrite, verify, forbid, remove
+        As in `replacing`.
+    content
+        What goes into it.
 
     Raises
     ------
@@ -220,12 +244,19 @@ def write_bytes(target: str | os.PathLike[str], content: bytes, *, overwrite: bo
         If it does not read back as it was written.
     """
 
-    def verify(part: Path) -> None:
-        if part.read_bytes() != content:
-            raise VerificationError(f"{target} does not read back as it was written; is the disk failing?")
+    def compare(part: Path) -> None:
+        with part.open("rb") as stream:
+            same = all(stream.read(_PIECE) == content[i : i + _PIECE] for i in range(0, len(content), _PIECE))
+            if not same or stream.read(1):
+                raise VerificationError(f"{target} does not read back as it was written; is the disk failing?")
+        if verify is not None:
+            verify(part)
 
-    with replacing(target, overwrite=overwrite, verify=verify) as part:
-        part.write_bytes(content)
+    with (
+        replacing(target, overwrite=overwrite, verify=compare, forbid=forbid, remove=remove) as part,
+        part.open("wb") as stream,
+    ):
+        stream.write(content)
 
 
 def remove_file(path: str | os.PathLike[str]) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from firebreak_gis import __version__
-from firebreak_gis.errors import InputError, ParameterError
+from firebreak_gis.errors import InputError, OutputError, ParameterError
 from firebreak_gis.files import sha256, write_text
 
 SOFTWARE = "firebreak_gis"
@@ -64,10 +64,17 @@ def write_manifest(
         "parameters": plain(parameters),
         "inputs": [_input(p) for p in inputs],
         **plain(account),
-        "outputs": [{"path": Path(os.path.relpath(p, target.parent)).as_posix(), "sha256": sha256(p)} for p in outputs],
+        "outputs": [_output(p, target.parent) for p in outputs],
     }
     write_text(target, json.dumps(document, indent=2, ensure_ascii=False) + "\n", overwrite=overwrite)
     return target
+
+
+def _output(path: str | os.PathLike[str], folder: Path) -> dict[str, str]:
+    try:
+        return {"path": Path(os.path.relpath(path, folder)).as_posix(), "sha256": sha256(path)}
+    except InputError as error:
+        raise OutputError(f"the output {path} cannot be read back: {error}") from error
 
 
 def _input(path: str | os.PathLike[str]) -> dict[str, Any]:

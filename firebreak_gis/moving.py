@@ -2,8 +2,8 @@
 
 Each move is one step of the file system. Where a later step fails, the earlier ones are taken back: the
 old files were kept by hard links meanwhile. A process killed between two moves leaves some files old and
-some new, each whole; therefore the last file to come, the account of the run, is the first of the old
-ones to go: where it stands, the files are those that it names.
+some new, each whole, and the kept links tell (`unfinished`). The last file to come, the account of the run, is
+the first of the old ones to go: where it stands, the files are those that it names.
 """
 
 from __future__ import annotations
@@ -13,14 +13,17 @@ import errno
 import os
 import signal
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import FrameType
 
 from firebreak_gis.locks import PREFIX, key_of
 
+#: Ending of the links that keep old files for an undo.
+_KEPT = ".part-old"
 
-def move_all(parts: Mapping[Path, Path], removals: Sequence[Path]) -> None:
+
+def move_all(parts: Mapping[Path, Path], removals: Sequence[Path], *, whole: bool = False) -> None:
     """Move every part over its target, in order, and remove `removals`; flush the folders.
 
     Parameters
@@ -29,6 +32,8 @@ def move_all(parts: Mapping[Path, Path], removals: Sequence[Path]) -> None:
         Target to finished file, in the same folder. If there are several, the last one is the account.
     removals
         Files that must not stay beside the new ones; may be missing.
+    whole
+        Whether the files are all that the folder is about: then no earlier move is unfinished any more.
 
     Raises
     ------
@@ -37,35 +42,44 @@ def move_all(parts: Mapping[Path, Path], removals: Sequence[Path]) -> None:
     """
     places = list(parts)
     gone = [*places[-1:], *removals] if len(places) > 1 else list(removals)
+    folders = {place.parent for place in places}
     with contextlib.ExitStack() as undo, _uninterrupted():
         kept = [_keep(place, undo) for place in dict.fromkeys((*gone, *places))]
         for place in gone:
             place.unlink(missing_ok=True)
         for place, part in parts.items():
             part.replace(place)
-        for folder in {place.parent for place in places}:
+        for folder in folders:
             _flush_folder(folder)
         undo.pop_all()
-        for copy in kept:
-            with contextlib.suppress(OSError):
-                if copy is not None:
-                    copy.unlink()
+        for copy in (*kept, *(old for folder in folders if whole for old in folder.glob(f"{PREFIX}*{_KEPT}"))):
+            _forget(copy)
 
 
-def _keep(place: Path, undo: contextlib.ExitStack) -> Path | None:
-    """Keep the present state of `place` for an undo; None if there is nothing to come back to."""
-    copy = place.with_name(f"{PREFIX}{key_of(place)}-{os.getpid()}.part-old")
+def unfinished(places: Iterable[Path]) -> bool:
+    """Whether a process was killed while it moved several files, so that they may be of two runs."""
+    return any(_kept(place).exists() for place in places)
+
+
+def _kept(place: Path) -> Path:
+    return place.with_name(f"{PREFIX}{key_of(place)}{_KEPT}")
+
+
+def _keep(place: Path, undo: contextlib.ExitStack) -> Path:
+    """Keep the present state of `place` for an undo; return the link that keeps it."""
+    copy = _kept(place)
     try:
-        if not place.exists():
-            undo.callback(_forget, place)
-            return None
         copy.unlink(missing_ok=True)
-        copy.hardlink_to(place)
+        if place.exists():
+            copy.hardlink_to(place)
     except OSError as error:
         if error.errno in (errno.EIO, errno.ENOSPC, errno.EDQUOT):
             raise
-        return None  # no hard links on this file system: no undo
-    undo.callback(_bring_back, copy, place)
+        return copy  # no hard links on this file system: no undo
+    if copy.exists():
+        undo.callback(_bring_back, copy, place)
+    else:
+        undo.callback(_forget, place)
     return copy
 
 

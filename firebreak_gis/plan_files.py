@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.evaluation import table
 from firebreak_gis.field_map import write_compartments, write_segments
-from firebreak_gis.files import require_writable, together, write_text
+from firebreak_gis.files import make_folder, require_writable, together, write_text
 from firebreak_gis.landscape import write_landscape
 from firebreak_gis.manifest import provenance, write_manifest
 from firebreak_gis.progress import Progress, part
@@ -82,7 +82,7 @@ def write_plan(
     """
     report = part(progress, 0.0, 1.0, "write ")
     recorded = parameters or result.parameters
-    with together(folder) as target:
+    with together(make_folder(folder), alone=True) as target:
         for name in PLAN_FILES:
             require_writable(target / name, overwrite=overwrite, forbid=inputs)
         written = _write_layers(result, target, recorded, creation_options, overwrite, report)

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.errors import CRSError, InputError, MissingComponentError, OutputError, VerificationError
-from firebreak_gis.files import replacing
+from firebreak_gis.files import replacing, write_bytes
 from firebreak_gis.grid import crs_name, parse_crs
 
 if TYPE_CHECKING:
     import geopandas as gpd
+    import numpy as np
     from pyproj import CRS
 
 #: GDAL driver by extension; GeoParquet is written without GDAL.
@@ -72,7 +74,7 @@ def write_vector(
     """Write a GeoDataFrame; the extension chooses the format (.gpkg, .geojson, .fgb, .parquet).
 
     GeoJSON is written in longitude and latitude (WGS 84), as its standard demands. Rows keep their
-    order. The file is read back and its features counted before it takes its place. No date is stored.
+    order. The file is read back and compared before it takes its place. No date is stored.
 
     Parameters
     ----------
@@ -96,7 +98,7 @@ def write_vector(
     MissingComponentError
         For .parquet without pyarrow.
     VerificationError
-        If the file does not hold as many features as `gdf`.
+        If the file does not hold the features of `gdf`.
     """
     place = Path(path)
     driver = DRIVERS.get(place.suffix.lower())
@@ -105,11 +107,13 @@ def write_vector(
     _require_crs(gdf, place.name)
     _require_closed(place)
     layer = layer or place.stem
-    with replacing(place, overwrite=overwrite, verify=_verifier(place, {layer: gdf}), forbid=forbid) as part:
-        if driver == "Parquet":
-            _write_parquet(part, gdf)
-        else:
-            _write_ogr(part, gdf, driver, layer)
+    write_bytes(
+        place,
+        _parquet(gdf) if driver == "Parquet" else _encoded(gdf, driver, layer),
+        overwrite=overwrite,
+        forbid=forbid,
+        verify=lambda part: _verify(part, {layer: gdf}, driver, place.name),
+    )
     return place
 
 
@@ -144,11 +148,20 @@ def write_layers(
     for name, gdf in layers.items():
         _require_crs(gdf, f"{place.name}, layer {name}")
     _require_closed(place)
-    with replacing(place, overwrite=overwrite, verify=_verifier(place, layers), forbid=forbid) as part:
-        for name, gdf in layers.items():
-            _write_ogr(part, gdf, "GPKG", name, kinds.get(name, "Unknown"))
-        if styles:
-            _write_styles(part, styles)
+
+    def verify(part: Path) -> None:
+        _verify(part, layers, "GPKG", place.name)
+
+    with replacing(place, overwrite=overwrite, verify=verify, forbid=forbid) as part:
+        # GDAL adds layers to files on a disk only, and what fails there it may not tell: so it writes twice.
+        copies = [part, part.with_name(f"{part.name}-again.gpkg")]
+        for copy in copies:
+            for name, gdf in layers.items():
+                _write_ogr(copy, gdf, "GPKG", name, kinds.get(name, "Unknown"))
+            if styles:
+                _write_styles(copy, styles)
+        if copies[0].read_bytes() != copies[1].read_bytes():
+            raise OutputError(f"{place.name} cannot be written as it should; is the disk full or failing?")
     return place
 
 
@@ -246,39 +259,40 @@ def _require_crs(gdf: gpd.GeoDataFrame, where: str) -> None:
         raise CRSError(f"the features for {where} have no coordinate reference system; set one with gdf.set_crs(...)")
 
 
-def _verifier(place: Path, layers: Mapping[str, gpd.GeoDataFrame]) -> Callable[[Path], None]:
-    """Counts the features of a file that was written."""
-
-    def verify(part: Path) -> None:
-        for name, gdf in layers.items():
-            found = _count(part, name)
-            if found != len(gdf):
-                raise VerificationError(f"{place.name}: {len(gdf)} features were written, {found} read back")
-
-    return verify
-
-
 def _require_closed(place: Path) -> None:
+    place = Path(os.path.realpath(place))
     for suffix in ("-wal", "-journal"):
         if place.with_name(place.name + suffix).exists():
             raise OutputError(
-                f"{place} is open in another program (there is {place.name + suffix}); close it there first"
+                f"{place} is open in another program (there is {place.name + suffix}); close it there first, or "
+                "remove that file if the program has crashed"
             )
 
 
 @contextlib.contextmanager
 def _fixed_date() -> Iterator[None]:
+    """Fix the date inside files, and let SQLite keep its journal to itself: nobody else has the file open."""
     import pyogrio
 
-    before = pyogrio.get_gdal_config_option("OGR_CURRENT_DATE")
-    pyogrio.set_gdal_config_options({"OGR_CURRENT_DATE": FIXED_DATE})
+    wanted = {"OGR_CURRENT_DATE": FIXED_DATE, "OGR_SQLITE_JOURNAL": "MEMORY"}
+    before = {key: pyogrio.get_gdal_config_option(key) for key in wanted}
+    pyogrio.set_gdal_config_options(wanted)
     try:
         yield
     finally:
-        pyogrio.set_gdal_config_options({"OGR_CURRENT_DATE": before})
+        pyogrio.set_gdal_config_options(before)
 
 
-def _write_ogr(part: Path, gdf: gpd.GeoDataFrame, driver: str, layer: str, kind: str = "Unknown") -> None:
+def _encoded(gdf: gpd.GeoDataFrame, driver: str, layer: str) -> memoryview:
+    """Return the bytes of a file with one layer."""
+    memory = io.BytesIO()
+    _write_ogr(memory, gdf, driver, layer)
+    return memory.getbuffer()
+
+
+def _write_ogr(
+    target: Path | io.BytesIO, gdf: gpd.GeoDataFrame, driver: str, layer: str, kind: str = "Unknown"
+) -> None:
     from pyogrio.errors import DataLayerError, DataSourceError, FeatureError, FieldError, GeometryError
 
     options: dict[str, Any] = {"layer": layer}
@@ -293,34 +307,68 @@ def _write_ogr(part: Path, gdf: gpd.GeoDataFrame, driver: str, layer: str, kind:
         options["geometry_type"] = kind
     try:
         with _fixed_date():
-            gdf.to_file(part, driver=driver, engine="pyogrio", index=False, **options)
+            gdf.to_file(target, driver=driver, engine="pyogrio", index=False, **options)
     except (DataSourceError, DataLayerError, FeatureError, FieldError, GeometryError) as error:
         raise OutputError(f"cannot write the layer {layer}: {error}; is the disk full?") from error
 
 
-def _write_parquet(part: Path, gdf: gpd.GeoDataFrame) -> None:
+def _parquet(gdf: gpd.GeoDataFrame) -> memoryview:
+    memory = io.BytesIO()
     try:
-        gdf.to_parquet(part, index=False)
+        gdf.to_parquet(memory, index=False)
     except ImportError as error:
         raise MissingComponentError("writing .parquet needs pyarrow: pip install pyarrow (or write .gpkg)") from error
+    return memory.getbuffer()
 
 
 def _write_styles(part: Path, styles: Mapping[str, str]) -> None:
     import pyogrio
+    from pyogrio.errors import DataLayerError, DataSourceError, FeatureError, FieldError
 
     from firebreak_gis.vector_styles import style_table
 
     rows = style_table(dict(styles), geometry="geom", date=FIXED_DATE)
-    with _fixed_date():
-        pyogrio.write_dataframe(rows, part, layer="layer_styles", driver="GPKG")
+    try:
+        with _fixed_date():
+            pyogrio.write_dataframe(rows, part, layer="layer_styles", driver="GPKG")
+    except (DataSourceError, DataLayerError, FeatureError, FieldError) as error:
+        raise OutputError(f"cannot write the styles: {error}; is the disk full?") from error
 
 
-def _count(part: Path, layer: str) -> int:
-    if part.suffix.lower() == ".parquet":
-        import geopandas as gpd
+def _verify(part: Path, layers: Mapping[str, gpd.GeoDataFrame], driver: str, name: str) -> None:
+    """Read the finished file anew; compare the number of features and where each of them lies."""
+    import numpy as np
+    from pyogrio.errors import DataLayerError, DataSourceError
 
-        return len(gpd.read_parquet(part))
+    for layer, gdf in layers.items():
+        try:
+            found = _bounds(part, driver, layer)
+        except (DataSourceError, DataLayerError, OSError, ValueError, RuntimeError) as error:
+            raise OutputError(f"{name} was written but cannot be read back: {error}; is the disk full?") from error
+        if driver == "GPKG" and len(gdf) and not _indexed(part, layer):
+            raise OutputError(f"{name} was written without the index of its layer {layer}; is the disk full?")
+        if len(found) != len(gdf):
+            raise VerificationError(f"{name}: {len(gdf)} features were written, {len(found)} read back")
+        # GeoJSON has rounded coordinates in another system, perhaps cut at the date line.
+        if driver != "GeoJSON" and not np.array_equal(found, gdf.geometry.bounds.to_numpy(), equal_nan=True):
+            raise VerificationError(f"{name}: features do not read back as they were written; is the disk failing?")
+
+
+def _indexed(part: Path, layer: str) -> bool:
     import pyogrio
 
-    named = layer if part.suffix.lower() == ".gpkg" else None
-    return int(pyogrio.read_info(part, layer=named, force_feature_count=True)["features"])
+    return bool(pyogrio.read_info(part, layer=layer)["capabilities"]["fast_spatial_filter"])
+
+
+def _bounds(part: Path, driver: str, layer: str) -> np.ndarray:
+    """(features, 4) bounding boxes in a layer of a vector file; reads everything."""
+    import numpy as np
+    import pyogrio.raw
+    import shapely
+
+    if driver == "Parquet":
+        import geopandas as gpd
+
+        return np.asarray(gpd.read_parquet(part).geometry.bounds)
+    geometry = pyogrio.raw.read(part, layer=layer if driver == "GPKG" else None)[2]
+    return np.empty((0, 4)) if geometry is None else np.asarray(shapely.bounds(shapely.from_wkb(geometry)))

@@ -94,9 +94,19 @@ def test_overwriting_and_unknown_extensions_are_refused(tmp_path):
 
 
 def test_a_file_with_too_few_features_never_takes_its_place(tmp_path, monkeypatch):
-    genuine = vectors._write_ogr
-    monkeypatch.setattr(vectors, "_write_ogr", lambda part, gdf, *rest: genuine(part, gdf.iloc[1:], *rest))
+    genuine = vectors._encoded
+    monkeypatch.setattr(vectors, "_encoded", lambda gdf, *rest: genuine(gdf.iloc[1:], *rest))
     with pytest.raises(VerificationError, match="3 features were written, 2 read back"):
+        vectors.write_vector(tmp_path / "a.gpkg", boxes())
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_file_with_moved_features_never_takes_its_place(tmp_path, monkeypatch):
+    genuine = vectors._encoded
+    monkeypatch.setattr(
+        vectors, "_encoded", lambda gdf, *rest: genuine(gdf.set_geometry(gdf.translate(0.0, 1e-6)), *rest)
+    )
+    with pytest.raises(VerificationError, match="do not read back"):
         vectors.write_vector(tmp_path / "a.gpkg", boxes())
     assert list(tmp_path.iterdir()) == []
 

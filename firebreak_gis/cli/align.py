@@ -53,7 +53,7 @@ def command(session: Session, **given: Any) -> None:
         "alignment": landscape.attrs["alignment"],
         "warnings": landscape.attrs["warnings"],
     }
-    with together(given["output"]) as target:
+    with together(given["output"], alone=True) as target:
         files = write_landscape(
             landscape,
             target,

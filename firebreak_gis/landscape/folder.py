@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.errors import InputError, OutputError
-from firebreak_gis.files import remove_file, require_writable, together
+from firebreak_gis.files import make_folder, remove_file, require_writable, together
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.fuel import LAYERS, burnable_cells
+from firebreak_gis.moving import unfinished
 from firebreak_gis.rasters import read_variable, write_raster
 from firebreak_gis.schema import annotate, validate
 
@@ -52,7 +53,7 @@ def write_landscape(
     told = {key: list(dataset.attrs[key]) for key in ("alignment", "warnings") if key in dataset.attrs}
     told |= {"legend": dataset.attrs["legend"]} if "legend" in dataset.attrs else {}
     barred = list(forbid)
-    with together(folder) as place:
+    with together(make_folder(folder), alone=True) as place:
         for name in names:
             require_writable(place / f"{name}.tif", overwrite=overwrite, forbid=barred)
         for name in sorted(set(EFFECTS) - set(names)):
@@ -97,6 +98,11 @@ def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:
         raise InputError(
             f"{place} is not a folder with {', '.join(f'{name}.tif' for name in LAYERS)}; make one with: "
             f"firebreak align"
+        )
+    if unfinished(place / f"{name}.tif" for name in LAYERS + EFFECTS):
+        raise InputError(
+            f"a run was killed while it replaced the landscape in {place}, the layers may be of two runs; make it "
+            "again with: firebreak align --overwrite"
         )
     missing = [f"{name}.tif" for name in LAYERS if not (place / f"{name}.tif").exists()]
     if missing:

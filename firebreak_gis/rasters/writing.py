@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.errors import FirebreakError, InputError, OutputError, VerificationError
-from firebreak_gis.files import replacing, write_text
+from firebreak_gis.errors import InputError, OutputError, VerificationError
+from firebreak_gis.files import together, write_bytes, write_text
 from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.rasters.header import open_raster
@@ -79,15 +80,16 @@ def write_raster(
     tags = {**(provenance or {}), **{key: data.attrs[key] for key in ("boundary",) if key in data.attrs}}
     options = {"blocksize": 256, **_lower(creation_options or {})}
     place = Path(path)
-    with replacing(
-        path,
-        overwrite=overwrite,
-        forbid=forbid,
-        verify=lambda part: _verify(part, planes, grid, variable),
-        remove=[place.with_name(place.name + suffix) for suffix in SIDECARS],
-    ) as part:
-        _write(part, planes, grid, variable, tags, options)
-    _write_style(place, values, variable, overwrite)
+    with together(place.parent), _encoded(planes, grid, variable, tags, options) as content:
+        write_bytes(
+            path,
+            content,
+            overwrite=overwrite,
+            forbid=forbid,
+            verify=lambda part: _verify(part, planes, grid, variable),
+            remove=[place.with_name(place.name + suffix) for suffix in SIDECARS],
+        )
+        _write_style(place, values, variable, overwrite)
     return place
 
 
@@ -149,16 +151,18 @@ def _lower(options: Mapping[str, Any]) -> dict[str, Any]:
     return {str(key).lower(): value for key, value in options.items()}
 
 
-def _write(
-    part: Path,
+@contextlib.contextmanager
+def _encoded(
     planes: np.ndarray,
     grid: Grid,
     variable: Variable,
     provenance: Mapping[str, Any],
     options: Mapping[str, Any],
-) -> None:
+) -> Iterator[memoryview]:
+    """Give the bytes of the file."""
     import rasterio
     from rasterio.errors import NotGeoreferencedWarning
+    from rasterio.io import MemoryFile
 
     classes = bool(variable.classes) or variable.dtype == "bool"
     profile: dict[str, Any] = {
@@ -179,17 +183,17 @@ def _write(
     }
     if grid.crs is not None:
         profile["crs"] = grid.crs.to_wkt()
-    # All that is known goes into the file: a .aux.xml beside the temporary name would be lost.
-    with rasterio.Env(GDAL_PAM_ENABLED="NO"), warnings.catch_warnings():
-        warnings.simplefilter("ignore", NotGeoreferencedWarning)
-        try:
-            with rasterio.open(part, "w", **profile) as target:
-                target.write(planes)
-                _describe(target, variable, provenance)
-        except FirebreakError:
-            raise
-        except Exception as error:  # GDAL tells a full disk by private classes, and only on closing
-            raise OutputError(f"cannot write the raster {variable.name}: {error}; is the disk full?") from error
+    with MemoryFile(ext=".tif") as memory:
+        # All that is known goes into the file: a .aux.xml beside it would be lost.
+        with rasterio.Env(GDAL_PAM_ENABLED="NO"), warnings.catch_warnings():
+            warnings.simplefilter("ignore", NotGeoreferencedWarning)
+            try:
+                with memory.open(**profile) as target:
+                    target.write(planes)
+                    _describe(target, variable, provenance)
+            except Exception as error:  # GDAL has private classes for what it does not like
+                raise OutputError(f"cannot write the raster {variable.name}: {error}; check --co") from error
+        yield memoryview(memory.getbuffer())
 
 
 def _describe(target: Any, variable: Variable, provenance: Mapping[str, Any]) -> None:
@@ -211,6 +215,17 @@ def _text(value: Any) -> str:
 
 def _verify(part: Path, planes: np.ndarray, grid: Grid, variable: Variable) -> None:
     """Read the finished file anew and compare everything that matters."""
+    from rasterio.errors import RasterioError
+
+    try:
+        _compare(part, planes, grid, variable)
+    except (InputError, RasterioError, OSError) as error:
+        raise OutputError(
+            f"the raster {variable.name} was written but cannot be read back: {error}; is the disk full?"
+        ) from error
+
+
+def _compare(part: Path, planes: np.ndarray, grid: Grid, variable: Variable) -> None:
     from firebreak_gis.grid import parse_crs
 
     with open_raster(part) as source:
