@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from firebreak_gis.report.figures import LINE_COLOURS, new_figure
@@ -24,7 +25,7 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
     n_burnable, cell_area_ha
         Cells that hold fuel, and their area.
     """
-    from matplotlib.ticker import PercentFormatter
+    from matplotlib.ticker import FuncFormatter
 
     residuals = sorted(rows["residual"].unique())
     labels = list(dict.fromkeys(rows["method"]))
@@ -48,8 +49,8 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
         leak = "perfect breaks" if residual == 0 else f"breaks that leak: treated cells keep {100 * residual:g} %"
         axes.set_title(leak, fontsize=10, loc="left", fontweight="bold")
         axes.set_yscale("log")
-        axes.xaxis.set_major_formatter(PercentFormatter(1.0, decimals=None))
-        axes.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=None))
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_formatter(FuncFormatter(lambda share, _: f"{100 * share:g} %"))
         axes.set_xlabel("share of the fuel cut, $d_f$", fontsize=9)
         axes.set_xlim(left=0.0)
         axes.grid(color="#e6e6e6", lw=0.5, which="both")
@@ -59,7 +60,7 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
     figure.legend(
         *panels[0].get_legend_handles_labels(),
         loc="outside lower center",
-        ncols=min(len(labels), 8),
+        ncols=math.ceil(len(labels) / math.ceil(len(labels) / 8)),
         fontsize=8,
         frameon=False,
     )
