@@ -68,7 +68,7 @@ def _fires(network: SpreadNetwork) -> list[Timed]:
 
 
 def _centralities(network: SpreadNetwork) -> list[Timed]:
-    pivots = 2 if network.burnable.size > 500_000 else 8
+    pivots = 4 if network.burnable.size > 5_000_000 else 16
     x, out = np.ones(network.shape), np.empty(network.shape)
     operator = Operator(network.probability)
     priority = rank(network, "degree")
