@@ -110,6 +110,7 @@ def open_raster(path: str | os.PathLike[str], *, remote: bool = False) -> Iterat
         If it is missing, a folder, empty, a text, remote (unless `remote`), or not a raster.
     """
     import rasterio
+    from rasterio._err import CPLE_BaseError
     from rasterio.errors import NotGeoreferencedWarning, RasterioError
 
     name = os.fspath(path)
@@ -123,8 +124,11 @@ def open_raster(path: str | os.PathLike[str], *, remote: bool = False) -> Iterat
                 f"{name} cannot be read as a raster: {_short(error, name)}; is it complete and of a format "
                 "that GDAL reads?"
             ) from error
-    with source:
-        yield source
+    try:
+        with source:
+            yield source
+    except CPLE_BaseError as error:  # what GDAL finds only when a damaged file is looked into
+        raise InputError(f"{name} is damaged: {_short(error, name)}; copy or export it again") from error
 
 
 def read_header(
