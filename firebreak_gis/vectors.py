@@ -205,11 +205,12 @@ def _frames(source: Any) -> tuple[str, list[gpd.GeoDataFrame]]:
         return name, [_read_parquet(name)]
     import pyogrio
     from pyogrio.errors import DataLayerError, DataSourceError
+    from shapely.errors import ShapelyError
 
     try:
         layers = [str(row[0]) for row in pyogrio.list_layers(name) if row[1] is not None]
         frames = [gpd.read_file(name, layer=layer, engine="pyogrio") for layer in layers]
-    except (DataSourceError, DataLayerError, OSError) as error:
+    except (DataSourceError, DataLayerError, ShapelyError, OSError, ValueError) as error:
         raise InputError(f"{name} cannot be read as vector data ({str(error)[:120]}); is it complete?") from error
     if not frames:
         raise InputError(f"{name} holds no layer with geometries")

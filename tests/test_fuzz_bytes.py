@@ -5,6 +5,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
+from firebreak_gis.errors import InputError
+from firebreak_gis.vectors import read_features
 from tests.places import three
 
 ROOT = Path(__file__).parents[1]
@@ -52,3 +56,12 @@ def test_broken_bytes_are_refused_in_words(tmp_path):
     assert found["wrong"] == []
     assert set(found["codes"]) <= {"0", "3", "5"}
     assert found["codes"]["3"] > 300
+
+
+def test_a_ring_that_does_not_close_is_refused_in_words(tmp_path):
+    ring = [[27.8, 36.1], [27.9, 36.1], [27.9, 36.2], [27.7, 36.0]]
+    feature = {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+    path = tmp_path / "open.geojson"
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": [feature]}))
+    with pytest.raises(InputError, match=r"open\.geojson cannot be read"):
+        read_features(path, "EPSG:32635")
