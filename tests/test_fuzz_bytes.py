@@ -58,6 +58,7 @@ def test_broken_bytes_are_refused_in_words(tmp_path):
     assert found["codes"]["3"] > 300
 
 
+@pytest.mark.filterwarnings("ignore:Non closed ring:RuntimeWarning")
 def test_a_ring_that_does_not_close_is_refused_in_words(tmp_path):
     ring = [[27.8, 36.1], [27.9, 36.1], [27.9, 36.2], [27.7, 36.0]]
     feature = {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
