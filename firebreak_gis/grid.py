@@ -186,7 +186,7 @@ class Grid:
             ),
         }
         if self.crs is not None:
-            attrs = self.crs.to_cf()
+            attrs = _cf_attributes(self.crs)
             attrs["spatial_ref"] = attrs["crs_wkt"]
             attrs["GeoTransform"] = " ".join(repr(float(v)) for v in self.transform.to_gdal())
             coords["spatial_ref"] = xr.Variable((), 0, attrs)
@@ -217,6 +217,16 @@ class Grid:
         if "x" in data.coords and "y" in data.coords:
             transform = _transform_from_centres(data["x"].to_numpy(), data["y"].to_numpy(), data)
         return cls(shape, transform or UNREFERENCED, crs)
+
+
+def _cf_attributes(crs: CRS) -> dict[str, Any]:
+    try:
+        return crs.to_cf()
+    except KeyError as error:
+        raise CRSError(
+            f"the coordinate reference system {crs_name(crs)} lacks the parameter {error}; its description (.prj?) is "
+            "broken, assign the true one, e.g. EPSG:32635"
+        ) from error
 
 
 def _transform_from_centres(x: np.ndarray, y: np.ndarray, data: xr.DataArray | xr.Dataset) -> Affine:

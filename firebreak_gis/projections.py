@@ -102,8 +102,15 @@ def transform(source: CRS, target: CRS | None, x: Any, y: Any) -> tuple[np.ndarr
 @functools.lru_cache(maxsize=64)  # finding the best of several ways between two systems takes 0.1 s
 def _transformer(source: CRS, target: CRS | None) -> Transformer:
     from pyproj import Transformer
+    from pyproj.exceptions import ProjError
 
-    return Transformer.from_crs(source, "EPSG:4326" if target is None else target, always_xy=True)
+    try:
+        return Transformer.from_crs(source, "EPSG:4326" if target is None else target, always_xy=True)
+    except ProjError as error:  # a .prj may be readable and yet make no sense
+        other = "longitude and latitude" if target is None else crs_name(target)
+        raise CRSError(
+            f"there is no way from {crs_name(source)} to {other}; one of them is broken, assign the true one{ASSIGNING}"
+        ) from error
 
 
 def suggest_utm(lon: np.ndarray, lat: np.ndarray) -> CRS:

@@ -10,7 +10,14 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from firebreak_gis.errors import CRSError, InputError, MissingComponentError, OutputError, VerificationError
+from firebreak_gis.errors import (
+    CRSError,
+    InputError,
+    MissingComponentError,
+    OutputError,
+    ResourceError,
+    VerificationError,
+)
 from firebreak_gis.files import replacing, write_bytes
 from firebreak_gis.grid import crs_name, parse_crs
 
@@ -212,6 +219,8 @@ def _frames(source: Any) -> tuple[str, list[gpd.GeoDataFrame]]:
         frames = [gpd.read_file(name, layer=layer, engine="pyogrio") for layer in layers]
     except (DataSourceError, DataLayerError, ShapelyError, OSError, ValueError) as error:
         raise InputError(f"{name} cannot be read as vector data ({str(error)[:120]}); is it complete?") from error
+    except MemoryError as error:  # as many features as the header of a damaged file may claim
+        raise ResourceError(f"{name} claims more features than fit into memory; is it damaged?") from error
     if not frames:
         raise InputError(f"{name} holds no layer with geometries")
     return name, frames

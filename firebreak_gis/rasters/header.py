@@ -119,7 +119,7 @@ def open_raster(path: str | os.PathLike[str], *, remote: bool = False) -> Iterat
         warnings.simplefilter("ignore", NotGeoreferencedWarning)
         try:
             source = rasterio.open(gdal_name(name))
-        except (RasterioError, OSError) as error:
+        except (RasterioError, OSError, UnicodeDecodeError) as error:  # the last of a broken .prj
             raise InputError(
                 f"{name} cannot be read as a raster: {_short(error, name)}; is it complete and of a format "
                 "that GDAL reads?"
