@@ -353,9 +353,10 @@ def _verify(part: Path, layers: Mapping[str, gpd.GeoDataFrame], driver: str, nam
     for layer, gdf in layers.items():
         try:
             found = _bounds(part, driver, layer)
+            indexed = driver != "GPKG" or not len(gdf) or _indexed(part, layer)
         except (DataSourceError, DataLayerError, OSError, ValueError, RuntimeError) as error:
             raise OutputError(f"{name} was written but cannot be read back: {error}; is the disk full?") from error
-        if driver == "GPKG" and len(gdf) and not _indexed(part, layer):
+        if not indexed:
             raise OutputError(f"{name} was written without the index of its layer {layer}; is the disk full?")
         if len(found) != len(gdf):
             raise VerificationError(f"{name}: {len(gdf)} features were written, {len(found)} read back")

@@ -8,15 +8,48 @@ NUMBA_CACHE_DIR is set.
 
 from __future__ import annotations
 
+import hashlib
 import os
 from collections.abc import Callable
 from typing import Any
 
 import numba
+from numba.core.caching import IndexDataCacheFile
 
 _CACHE = os.environ.get("FIREBREAK_NO_CACHE", "") in ("", "0")
 
+
+class _CacheFile(IndexDataCacheFile):
+    """Compiled code of one function on disk, which several programs may fill at once.
+
+    numba numbers the files of a function and enters them into the index before they are written. Two programs that
+    compile it for different types at the same time then write one file for both, and the machine code that a third one
+    loads takes other arguments than it is given.
+    """
+
+    def save(self, key: Any, data: Any) -> None:
+        """Keep compiled code in a file named by what it was compiled for, then enter it into the index."""
+        mark = hashlib.sha256(repr((self._source_stamp, key)).encode()).hexdigest()[:16]
+        name = self._index_name.removesuffix(".nbi") + f".{mark}.nbc"
+        self._save_data(name, data)
+        self._save_index({**self._load_index(), key: name})
+
+
+def _compiled(**how: Any) -> Callable[..., Any]:
+    """Decorator with what all kernels share."""
+    decorate = numba.njit(nogil=True, cache=_CACHE, error_model="numpy", **how)
+
+    def compiled(function: Callable[..., Any]) -> Any:
+        dispatcher = decorate(function)
+        file = getattr(getattr(dispatcher, "_cache", None), "_cache_file", None)
+        if type(file) is IndexDataCacheFile:  # not without a cache, and perhaps not in a later numba
+            file.__class__ = _CacheFile
+        return dispatcher
+
+    return compiled
+
+
 #: Decorator of kernels that are called from Python.
-kernel: Callable[..., Any] = numba.njit(nogil=True, cache=_CACHE, error_model="numpy", boundscheck=False)
+kernel: Callable[..., Any] = _compiled(boundscheck=False)
 #: Decorator of small functions of scalars that only kernels call; always inlined.
-inlined: Callable[..., Any] = numba.njit(nogil=True, cache=_CACHE, error_model="numpy", inline="always")
+inlined: Callable[..., Any] = _compiled(inline="always")

@@ -6,7 +6,7 @@ grids are left out unless they are named after the sizes, e.g. `... 1000 dissect
 
 from __future__ import annotations
 
-import os
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -36,17 +36,24 @@ def layers(folder: Path, size: int) -> list[str]:
     return [str(write_raster(folder / f"{name}.tif", grid.dataarray(v, name))) for name, v in planes.items()]
 
 
+#: Starts a program and prints its exit code and peak. A new program counts the memory of the one that starts it as its
+#: own peak, so that one must be small.
+_START = """
+import os, sys
+child = os.posix_spawn(sys.argv[1], sys.argv[1:], os.environ, file_actions=[(os.POSIX_SPAWN_DUP2, 2, 1)])
+_, status, usage = os.wait4(child, 0)
+print(os.waitstatus_to_exitcode(status), usage.ru_maxrss)
+"""
+
+
 def peak(words: list[str]) -> int:
     """Bytes that `firebreak WORDS` held at its peak."""
-    child = os.fork()
-    if child == 0:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
-        os.execv(sys.executable, [sys.executable, "-m", "firebreak_gis", *words])
-    _, status, usage = os.wait4(child, 0)
-    if os.waitstatus_to_exitcode(status) != 0:
+    started = [sys.executable, "-I", "-S", "-c", _START, sys.executable, "-m", "firebreak_gis", *words]
+    code, size = map(int, subprocess.run(started, check=True, stdout=subprocess.PIPE, text=True).stdout.split())
+    if code != 0:
         raise SystemExit(f"firebreak {' '.join(words)} failed")
     # Kilobytes, but bytes on macOS.
-    return usage.ru_maxrss * (1 if sys.platform == "darwin" else 1024)
+    return size * (1 if sys.platform == "darwin" else 1024)
 
 
 def measure(size: int, rankings: tuple[str, ...], *, whole: bool = True) -> dict[str, tuple[int, int]]:

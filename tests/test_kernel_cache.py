@@ -1,0 +1,54 @@
+"""Compiled kernels on disk: programs that compile at the same time do not take each other's code."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from firebreak_gis.kernels.policy import kernel
+from tests.places import ROOT
+
+PROGRAM = """
+import sys
+import numpy as np
+from firebreak_gis.kernels.linear import _rows_dot
+from firebreak_gis.kernels.policy import kernel
+cache = _rows_dot._cache._cache_file
+if sys.argv[1] == "blind":  # as if another program's index came a moment too late
+    cache._load_index = dict
+x = np.arange(6, dtype=sys.argv[2]).reshape(2, 3)
+out = np.zeros(2)
+_rows_dot(x, x, out, 0, 2)
+print(out.tolist(), *[type(data).__name__ for data in [cache]], sum(_rows_dot.stats.cache_hits.values()))
+"""
+
+
+@pytest.fixture
+def program(tmp_path):
+    def run(how, kind):
+        words = [sys.executable, "-c", PROGRAM, how, kind]
+        environment = {"NUMBA_CACHE_DIR": str(tmp_path), "PYTHONPATH": str(ROOT), "PATH": ""}
+        done = subprocess.run(words, env=environment, capture_output=True, text=True, check=True, cwd=ROOT)
+        return done.stdout.split()
+
+    return run
+
+
+def test_code_for_other_types_is_never_loaded(program, tmp_path):
+    """Two programs that see no index write code for integers and for floats; each later one finds its own or none."""
+    for kind in ("int32", "float64"):
+        program("blind", kind)
+    assert len(list(tmp_path.rglob("linear._rows_dot-*.nbc"))) == 2
+    hits = 0
+    for kind in ("int32", "float64", "int32", "float64"):
+        *numbers, name, hit = program("seeing", kind)
+        assert " ".join(numbers) == "[5.0, 50.0]"
+        assert name == "_CacheFile"
+        hits += int(hit)
+    assert hits >= 3  # the index of one was lost, so at most one was compiled again
+
+
+def test_without_a_cache_file_nothing_changes(monkeypatch):
+    twice = kernel(lambda x: 2 * x)
+    assert twice(np.float64(1.5)) == 3.0
