@@ -223,7 +223,21 @@ def _frames(source: Any) -> tuple[str, list[gpd.GeoDataFrame]]:
         raise ResourceError(f"{name} claims more features than fit into memory; is it damaged?") from error
     if not frames:
         raise InputError(f"{name} holds no layer with geometries")
+    _require_whole(name, layers, frames)
     return name, frames
+
+
+def _require_whole(name: str, layers: list[str], frames: list[gpd.GeoDataFrame]) -> None:
+    """A FlatGeobuf cut off between two features reads without a word; its header knows how many there were."""
+    import pyogrio
+
+    for layer, frame in zip(layers, frames, strict=True):
+        told = pyogrio.read_info(name, layer=layer)
+        if told["driver"] == "FlatGeobuf" and told["features"] > len(frame):
+            raise InputError(
+                f"{name} is damaged or cut off: {len(frame)} features were found, {told['features']} expected; copy or "
+                "export it again"
+            )
 
 
 def _read_parquet(name: str) -> gpd.GeoDataFrame:

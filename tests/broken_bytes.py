@@ -31,7 +31,11 @@ def layers(folder, suffix):
     good = {name: folder / f"{name}{suffix}" for name in LAYERS}
 
     def reader(name):
-        return lambda path: [values.to_numpy() for values in read_landscape(**{**good, name: path}).values()]
+        return lambda path: [known(values) for values in read_landscape(**{**good, name: path}).values()]
+
+    def known(values):
+        """Nothing tells that the last number of a text lost its last digits."""
+        return values.to_numpy().ravel()[: -1 if suffix == ".asc" else None]
 
     return {path: (folder / f"broken{suffix}", reader(name)) for name, path in good.items()}
 

@@ -184,3 +184,16 @@ def test_each_unusable_source_gets_its_own_sentence(tmp_path):
     for source, error, match in refusals(tmp_path):
         with pytest.raises(error, match=match):
             vectors.read_points(source, UTM)
+
+
+def test_a_flatgeobuf_cut_between_features_is_refused(tmp_path):
+    path = vectors.write_vector(tmp_path / "whole.fgb", boxes())
+    data, found = path.read_bytes(), set()
+    cut = tmp_path / "cut.fgb"
+    for size in range(len(data) // 4, len(data)):
+        cut.write_bytes(data[:size])
+        with pytest.raises(InputError) as caught:
+            vectors.read_polygons(cut, UTM)
+        found.add("expected; copy" in str(caught.value))
+    assert found == {True, False}
+    assert len(vectors.read_polygons(path, UTM)) == len(boxes())
