@@ -215,7 +215,9 @@ def _target_crs(dem: Header, wish: Any, centre: tuple[np.ndarray, np.ndarray], a
     if why is None:
         return target
     if wish is not None:
-        raise CRSError(f"the CRS {crs_name(target)} {why}; choose one in metres, e.g. {crs_name(suggest_utm(*centre))}")
+        # At the middle alone: an extent too wide for a zone must not hide what is wrong with the wish.
+        utm = suggest_utm(centre[0].mean(), centre[1].mean())
+        raise CRSError(f"the CRS {crs_name(target)} {why}; choose one in metres, e.g. {crs_name(utm)}")
     utm = suggest_utm(*centre)
     account.alignment.append(
         f"CRS: {crs_name(utm)} ({utm.name}), since that of the elevation, {crs_name(target)}, {why}"
