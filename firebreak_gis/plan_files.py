@@ -105,7 +105,8 @@ def write_plan(
                 overwrite=overwrite,
             )
         )
-    report(1.0, "done")
+        # The last look at a stop: once the files are in place the run is done.
+        report(1.0, "done")
     return written
 
 

@@ -10,13 +10,12 @@ import numpy as np
 import pytest
 import rasterio
 from affine import Affine
-from pyproj import Transformer
 from places import ROOT, UTM, real, square, write
+from pyproj import Transformer
 
 from firebreak_gis.errors import CRSError, FirebreakError, GridError, InputError, LegendError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape import read_landscape
-
 
 SAMPLE = {name: str(ROOT / f"sample_data/{name}.tif") for name in ("dem", "vegetation", "density")}
 # The tests themselves open files that lie nowhere.
@@ -246,7 +245,9 @@ def test_an_odd_file_by_itself(name, layer, tmp_path, shared_data):
 
 
 @real
-@pytest.mark.parametrize(("name", "layer", "outcome"), ADVISED, ids=lambda value: value if isinstance(value, str) else "")
+@pytest.mark.parametrize(
+    ("name", "layer", "outcome"), ADVISED, ids=lambda value: value if isinstance(value, str) else ""
+)
 def test_the_advice_of_a_refusal_helps(name, layer, outcome, tmp_path, shared_data):
     path = shared_data / "odd_tiffs" / name
     options = {"src_crs": {"dem": UTM}} if isinstance(outcome, Refused) else dict(outcome.options)

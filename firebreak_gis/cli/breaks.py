@@ -33,11 +33,11 @@ def command(session: Session, priority: str, output: str, polygons: str | None, 
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape.planes import value_plane
     from firebreak_gis.manifest import provenance
-    from firebreak_gis.rasters import read_variable, write_raster
+    from firebreak_gis.rasters import files_behind, read_variable, write_raster
     from firebreak_gis.vectors import write_vector
 
     files = [output] + ([polygons] if polygons else [])
-    inputs = [priority] + ([given["cost"]] if given["cost"] else [])
+    inputs = files_behind([priority] + ([given["cost"]] if given["cost"] else []))
     for name in files:
         require_writable(name, overwrite=given["overwrite"], forbid=inputs)
     ranking = read_variable(priority, "priority")

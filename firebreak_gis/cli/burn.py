@@ -31,11 +31,11 @@ def command(session: Session, network: str, output: str, mask: str | None, sizes
     from firebreak_gis.landscape.planes import ignition_source
     from firebreak_gis.manifest import provenance
     from firebreak_gis.progress import part
-    from firebreak_gis.rasters import read_variable, write_raster
+    from firebreak_gis.rasters import files_behind, read_variable, write_raster
     from firebreak_gis.simulation import simulate
     from firebreak_gis.spread.raster import read_network
 
-    inputs = [p for p in (network, mask, given["ignitions"]) if p and Path(p).is_file()]
+    inputs = files_behind(filter(None, (network, mask, given["ignitions"])))
     files = [output] + ([sizes] if sizes else [])
     for name in files:
         require_writable(name, overwrite=given["overwrite"], forbid=inputs)

@@ -71,6 +71,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     from firebreak_gis.landscape.planes import value_plane
     from firebreak_gis.manifest import write_manifest
     from firebreak_gis.progress import part
+    from firebreak_gis.rasters import files_behind
     from firebreak_gis.report.comparison import comparison_figure
     from firebreak_gis.report.figures import save
     from firebreak_gis.spread.raster import read_network
@@ -84,7 +85,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     target = make_folder(output)
     files = [target / name for name in ("comparison.csv", "comparison.png", "comparison.svg")]
     for name in (*files, target / "run.json"):
-        require_writable(name, overwrite=given["overwrite"], forbid=inputs)
+        require_writable(name, overwrite=given["overwrite"], forbid=files_behind(inputs))
     untouched = read_network(network)
     spread, setting = stakes.network_and_setting(untouched, given)
     fires = checked_fires(given, spread)

@@ -68,6 +68,7 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     from firebreak_gis.pipeline import default_budgets
     from firebreak_gis.progress import part
     from firebreak_gis.ranking import rank
+    from firebreak_gis.rasters import files_behind
     from firebreak_gis.report.curve import curve_figure
     from firebreak_gis.report.figures import save
     from firebreak_gis.spread.raster import read_network
@@ -80,7 +81,9 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     target = make_folder(output)
     files = [target / name for name in ("evaluation.csv", "evaluation.png", "evaluation.svg")]
     for name in (*files, target / "run.json"):
-        require_writable(name, overwrite=given["overwrite"], forbid=inputs)
+        require_writable(
+            name, overwrite=given["overwrite"], forbid=files_behind(filter(None, (network, given["ignitions"])))
+        )
     budgets = parsing.number_list(given["budgets"], "--budgets") if given["budgets"] else default_budgets()
     spread = read_network(network)
     fires = checked_fires(given, spread)

@@ -28,10 +28,10 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import read_landscape_folder
     from firebreak_gis.manifest import provenance
-    from firebreak_gis.rasters import write_raster
+    from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.spread import spread_network
 
-    inputs = [*map(str, Path(folder).glob("*.tif")), *input_files(given)]
+    inputs = files_behind([*map(str, Path(folder).glob("*.tif")), *input_files(given)])
     require_writable(output, overwrite=given["overwrite"], forbid=inputs)
     landscape = read_landscape_folder(folder)
     grid = Grid.of(landscape["burnable"])

@@ -24,10 +24,10 @@ def command(session: Session, network: str, output: str, **given: Any) -> None:
     from firebreak_gis.manifest import provenance
     from firebreak_gis.progress import part
     from firebreak_gis.ranking import rank
-    from firebreak_gis.rasters import write_raster
+    from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.spread.raster import read_network
 
-    inputs = [network, *stakes.stake_files(given)]
+    inputs = files_behind([network, *stakes.stake_files(given)])
     require_writable(output, overwrite=given["overwrite"], forbid=inputs)
     seed = parsing.checked_seed(given["seed"])
     params = parsing.pairs(given["method_params"], "--param")

@@ -13,7 +13,7 @@ from firebreak_gis.cli import parsing
 from firebreak_gis.cli.layers import LAYERS, WEATHER, grid_options, weather
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, OutputError, ParameterError
-from firebreak_gis.rasters import file_of
+from firebreak_gis.rasters import file_of, files_behind
 
 #: Bytes a cell that the layers and all rasters of a plan take on the disk uncompressed, overviews included.
 _LAYER_BYTES, _PLAN_BYTES = 8, 32
@@ -135,7 +135,7 @@ def require_outputs(given: Mapping[str, Any], outputs: Sequence[str], inputs: Se
     """
     from firebreak_gis.files import require_writable
 
-    folder = Path(given["output"])
+    folder, inputs = Path(given["output"]), files_behind(inputs)
     if folder.is_dir():
         for name in outputs:
             require_writable(folder / name, overwrite=given["overwrite"], forbid=inputs)

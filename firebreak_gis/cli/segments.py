@@ -48,12 +48,12 @@ def command(session: Session, network: str, mask: str, output: str, **given: Any
     from firebreak_gis.field_map import write_compartments, write_segments
     from firebreak_gis.files import require_writable
     from firebreak_gis.landscape.planes import value_plane
-    from firebreak_gis.rasters import read_variable
+    from firebreak_gis.rasters import files_behind, read_variable
     from firebreak_gis.segments import segments
     from firebreak_gis.spread.raster import read_network
 
     named = (given["priority"], given["dem"], given["ignitions"])
-    inputs = [network, mask, *filter(None, named), *stakes.stake_files(given)]
+    inputs = files_behind([network, mask, *filter(None, named), *stakes.stake_files(given)])
     files = [output] + ([given["compartments"]] if given["compartments"] else [])
     for name in files:
         require_writable(name, overwrite=given["overwrite"], forbid=inputs)

@@ -11,6 +11,7 @@ import numpy as np
 
 from firebreak_gis.cli import kinds
 from firebreak_gis.errors import FirebreakError, InputError, ParameterError
+from firebreak_gis.rasters import file_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -69,7 +70,8 @@ def stakes(command: F) -> F:
 
 def stake_files(given: Mapping[str, Any]) -> list[str]:
     """Files that these options name."""
-    return [str(given[key]) for key in _SOURCES if given.get(key) and Path(str(given[key])).is_file()]
+    named = [file_of(str(given[key])) for key in _SOURCES if given.get(key)]
+    return [name for name in named if Path(name).is_file()]
 
 
 def read_stakes(grid: Grid, given: Mapping[str, Any], *, landscape: xr.Dataset | None = None) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from firebreak_gis.rasters.header import (
     require_georeferenced,
     with_crs,
 )
-from firebreak_gis.rasters.naming import file_of
+from firebreak_gis.rasters.naming import file_of, files_behind
 from firebreak_gis.rasters.reading import Cells, read_cells, read_raster, read_variable
 from firebreak_gis.rasters.writing import disk_dtype, write_raster
 
@@ -17,6 +17,7 @@ __all__ = [
     "Header",
     "disk_dtype",
     "file_of",
+    "files_behind",
     "header_of_array",
     "open_raster",
     "read_cells",

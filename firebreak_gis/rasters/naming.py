@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+from html import unescape
 from pathlib import Path
 
 from firebreak_gis.errors import InputError
@@ -50,6 +52,20 @@ def file_of(name: str) -> str:
         ends = [i for i, letter in enumerate(without_number) if letter == ":"] + [len(without_number)]
         return next((without_number[:i] for i in ends if Path(without_number[:i]).exists()), without_number)
     return name
+
+
+def files_behind(names: Iterable[str]) -> list[str]:
+    """Return the files that these names speak of, and those that virtual rasters among them are made of."""
+    waiting, found = [file_of(str(name)) for name in names], dict[str, None]()
+    while waiting:
+        name = waiting.pop()
+        if name not in found and Path(name).is_file():
+            found[name] = None
+            if name.lower().endswith(".vrt"):
+                inner = [file_of(source) for source in _sources(Path(name))]
+                # As written, and as seen from the folder of the virtual raster.
+                waiting += [*inner, *(str(Path(name).parent / source) for source in inner)]
+    return list(found)
 
 
 def look_first(name: str, remote: bool) -> None:
@@ -109,12 +125,17 @@ def _look_at(start: bytes, path: Path, remote: bool) -> None:
 
 def _refuse_addresses(path: Path) -> None:
     """A virtual raster may name any file; what lies elsewhere is not fetched unasked."""
-    with path.open("rb") as stream:
-        text = stream.read(_VRT_BYTES).decode("utf-8", "replace")
-    sources = re.findall(r"<SourceFilename[^>]*>([^<]*)<|<SourceDataset[^>]*>([^<]*)<", text)
-    for source in (one or other for one, other in sources):
+    for source in _sources(path):
         if any(word in source for word in _REMOTE_WITHIN):
             raise InputError(
-                f"{path} refers to {source.strip()[:80]}, a network or archive address; download it first "
+                f"{path} refers to {source[:80]}, a network or archive address; download it first "
                 "(DEM, VEGETATION and DENSITY may be read from it with --remote)"
             )
+
+
+def _sources(path: Path) -> list[str]:
+    """Names of the rasters that a virtual raster refers to."""
+    with path.open("rb") as stream:
+        text = stream.read(_VRT_BYTES).decode("utf-8", "replace")
+    found = re.findall(r"<SourceFilename[^>]*>([^<]*)<|<SourceDataset[^>]*>([^<]*)<", text)
+    return [unescape((one or other).strip()) for one, other in found]
