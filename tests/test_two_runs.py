@@ -69,7 +69,7 @@ def stopped_at_work(process, folder):
         assert time.monotonic() < until
         if list(folder.glob(".firebreak-*.lock")):
             process.send_signal(signal.SIGSTOP)
-            os.waitid(os.P_PID, process.pid, os.WSTOPPED | os.WNOWAIT)
+            os.waitid(os.P_PID, process.pid, os.WSTOPPED)
             # The file is there a moment before the lock is.
             if any(held(path) for path in folder.glob(".firebreak-*.lock")):
                 return content(folder)
