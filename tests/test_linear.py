@@ -130,6 +130,28 @@ def test_krylov_needs_fewer_products():
     assert solution.products < 23 / -np.log(0.999) / 10
 
 
+def test_extrapolation_needs_a_third_of_the_products():
+    network = smooth_landscape(2, (40, 50), wind=False)
+    largest = float(np.linalg.eigvals(twin.adjacency(network)).real.max())
+    found = katz(network.probability, 0.9 / largest, 0.9, transpose=True)
+    assert found.error <= 1e-10
+    assert found.products < np.log(1e-10) / np.log(0.9) / 3
+
+
+@pytest.mark.parametrize("directions", [(0, 2, 3), (1, 4, 6), (0, 1, 2, 3, 4, 5, 6, 7)])
+@pytest.mark.parametrize("beta", [0.4, 0.9])
+def test_spread_that_goes_round_or_one_way_is_solved_too(directions, beta):
+    """Eigenvalues far from real: extrapolation fails, the series still ends right."""
+    probability = np.zeros((8, 9, 14), np.float32)
+    probability[list(directions)] = np.random.default_rng(0).uniform(0.2, 1.0, (len(directions), 9, 14))
+    network = SpreadNetwork(probability, boundary="periodic")
+    matrix = twin.adjacency(network)
+    attenuation = beta / float(np.abs(np.linalg.eigvals(matrix)).max())
+    dense = np.linalg.solve(np.eye(matrix.shape[0]) - attenuation * matrix, matrix.sum(axis=1))
+    found = katz(network.probability, attenuation, beta, boundary="periodic")
+    assert relative(found.values.ravel(), dense) < 1e-9
+
+
 @pytest.mark.parametrize(("seed", "boundary"), CASES)
 def test_bounds_enclose_the_dense_eigenvalue(seed, boundary):
     network = landscape(seed, boundary)

@@ -32,6 +32,8 @@ _COL_STEP = COL_STEP
 KRYLOV_ABOVE = 0.95
 #: Products between two looks at the residual.
 _CHECK_EVERY = 8
+#: From this contraction on the Neumann series is preceded by Chebyshev steps.
+_ACCELERATE_FROM = 0.3
 
 
 class Operator:
@@ -144,9 +146,10 @@ def katz(
 
     With z = 1 + c x the system is z = 1 + c A z, whose right side is 1. The inverse has no negative entry, so
     a residual of at most t in every cell bounds the error of every z, and of x = A z, by t relative to its
-    true value; this is how the work knows when to stop. Cost: log(tolerance) / log(contraction) products for
-    the Neumann series; fewer by BiCGSTAB, which takes over above `KRYLOV_ABOVE`. Memory: 2 (Neumann) or 7
-    (BiCGSTAB) vectors of 8 B a cell.
+    true value; this is how the work knows when to stop. Chebyshev steps come first: where fire passes about as
+    easily either way they need a quarter of the products at a contraction of 0.9. Above `KRYLOV_ABOVE` BiCGSTAB does.
+    The Neumann series ends the work, and does all of it where the first steps do not converge: log(tolerance) /
+    log(contraction) products at most. Memory: 3 (7 with BiCGSTAB) vectors of 8 B a cell.
 
     Parameters
     ----------
@@ -171,8 +174,43 @@ def katz(
         products = 0
         if contraction > KRYLOV_ABOVE:
             products = _bicgstab(operator, attenuation, z, spare, tolerance, progress)
+        elif contraction > _ACCELERATE_FROM:
+            z, products = _chebyshev(operator, attenuation, contraction, z, spare, tolerance, progress)
         z, spare, error, more = _neumann(operator, attenuation, contraction, z, spare, tolerance, progress)
         return Solution(operator.apply(z, spare), error, products + more + 1)
+
+
+def _chebyshev(
+    operator: Operator,
+    attenuation: float,
+    contraction: float,
+    z: np.ndarray,
+    spare: np.ndarray,
+    tolerance: float,
+    progress: Progress,
+) -> tuple[np.ndarray, int]:
+    """Iterate z = 1 + c A z, each step extrapolated from the last two, as long as the residual falls fast.
+
+    Best if the eigenvalues of c A are real, which they nearly are unless wind or slope drive fire one way. Sums
+    are made cell by cell, so mirrored networks still have mirrored results. Source: Golub, Varga 1961,
+    doi 10.1007/BF01386013. Returns z and the products used.
+    """
+    before = z.copy()
+    weight, products, residual, first = 1.0, 0, math.inf, math.nan
+    while True:
+        for _ in range(_CHECK_EVERY):
+            operator.apply(z, spare, shift=1.0, scale=attenuation)
+            operator.combine(weight, spare, 1.0 - weight, before, before)
+            z, before = before, z
+            products += 1
+            weight = 1.0 / (1.0 - weight * (contraction / 2.0) ** 2 * (2.0 if products == 1 else 1.0))
+        # `spare` is what a plain step makes of the one before.
+        last, residual = residual, operator.change(spare, before)
+        first = residual if math.isnan(first) else first
+        if residual <= tolerance or not residual < 0.5 * last:
+            return z, products
+        done = math.log(first / residual) / math.log(max(first / tolerance, 2.0))
+        progress(min(done, 0.95), f"residual {residual:.1e}")
 
 
 def _neumann(
