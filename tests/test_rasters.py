@@ -496,3 +496,12 @@ def test_importing_costs_little():
     )
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True)
     assert ran.stdout.strip() == "[]"
+
+
+def test_threads_do_not_change_a_byte(tmp_path, monkeypatch):
+    data = GRID.dataarray(values_of("burn_frequency"), "burn_frequency")
+    written = []
+    for threads in ("1", "2", "5"):
+        monkeypatch.setenv("FIREBREAK_THREADS", threads)
+        written.append(rasters.write_raster(tmp_path / f"{threads}.tif", data).read_bytes())
+    assert written[0] == written[1] == written[2]

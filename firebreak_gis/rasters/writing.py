@@ -20,6 +20,7 @@ from firebreak_gis.rasters.header import open_raster
 from firebreak_gis.rasters.reading import TAG
 from firebreak_gis.schema import VARIABLES, Variable
 from firebreak_gis.styles import qml, rgba
+from firebreak_gis.workers import thread_count
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -176,7 +177,7 @@ def _encoded(
         "compress": "DEFLATE",
         "predictor": "YES",
         "bigtiff": "IF_SAFER",
-        "num_threads": 1,
+        "num_threads": thread_count(None),  # the bytes are the same
         # The default is cubic, which invents classes.
         "overview_resampling": "MODE" if classes else "AVERAGE",
         **options,
