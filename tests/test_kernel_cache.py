@@ -20,7 +20,7 @@ if sys.argv[1] == "blind":  # as if another program's index came a moment too la
 x = np.arange(6, dtype=sys.argv[2]).reshape(2, 3)
 out = np.zeros(2)
 _rows_dot(x, x, out, 0, 2)
-print(out.tolist(), *[type(data).__name__ for data in [cache]], sum(_rows_dot.stats.cache_hits.values()))
+print(out.tolist(), type(cache).__name__, sum(_rows_dot.stats.cache_hits.values()))
 """
 
 
