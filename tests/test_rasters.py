@@ -1,5 +1,7 @@
 """Rasters: read with every "no data" settled, written so that plain rasterio finds all of it."""
 
+import os
+import signal
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
@@ -505,3 +507,20 @@ def test_threads_do_not_change_a_byte(tmp_path, monkeypatch):
         monkeypatch.setenv("FIREBREAK_THREADS", threads)
         written.append(rasters.write_raster(tmp_path / f"{threads}.tif", data).read_bytes())
     assert written[0] == written[1] == written[2]
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes cannot be forked here")
+def test_a_fork_of_a_process_that_wrote_can_write(tmp_path, monkeypatch):
+    monkeypatch.setenv("FIREBREAK_THREADS", "2")
+    data = GRID.dataarray(values_of("burn_frequency"), "burn_frequency")
+    before = rasters.write_raster(tmp_path / "before.tif", data).read_bytes()
+    child = os.fork()
+    if child == 0:
+        signal.alarm(60)  # ends a child that waits for ever
+        try:
+            rasters.write_raster(tmp_path / "after.tif", data)
+        except BaseException:
+            os._exit(1)
+        os._exit(0)
+    assert os.waitpid(child, 0)[1] == 0
+    assert (tmp_path / "after.tif").read_bytes() == before

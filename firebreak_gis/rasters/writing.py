@@ -25,6 +25,8 @@ from firebreak_gis.workers import thread_count
 if TYPE_CHECKING:
     import xarray as xr
 
+_LOADED_IN = os.getpid()
+
 #: Files that GDAL keeps beside a raster; those of an overwritten raster would describe the old one.
 SIDECARS = (".aux.xml", ".ovr", ".msk")
 
@@ -148,6 +150,11 @@ def _stored_values(values: np.ndarray, variable: Variable) -> np.ndarray:
     return np.ascontiguousarray(stored)
 
 
+def _threads() -> int:
+    """Threads for GDAL, whose threads do not live on in a fork: a child that counted on them would wait for ever."""
+    return thread_count(None) if os.getpid() == _LOADED_IN else 1
+
+
 def _lower(options: Mapping[str, Any]) -> dict[str, Any]:
     return {str(key).lower(): value for key, value in options.items()}
 
@@ -177,7 +184,7 @@ def _encoded(
         "compress": "DEFLATE",
         "predictor": "YES",
         "bigtiff": "IF_SAFER",
-        "num_threads": thread_count(None),  # the bytes are the same
+        "num_threads": _threads(),  # the bytes are the same
         # The default is cubic, which invents classes.
         "overview_resampling": "MODE" if classes else "AVERAGE",
         **options,
