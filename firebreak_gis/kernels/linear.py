@@ -13,20 +13,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
 from firebreak_gis.kernels.bands import Bands
 from firebreak_gis.kernels.policy import inlined, kernel
-from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.progress import Progress, silent
 
 if TYPE_CHECKING:
     from types import TracebackType
 
-_ROW_STEP = ROW_STEP
-_COL_STEP = COL_STEP
+#: Factors of the planes as the kernels take them.
+Weights: TypeAlias = "tuple[float, ...] | None"
 
 #: Above this beta the Neumann series is left for BiCGSTAB.
 KRYLOV_ABOVE = 0.95
@@ -49,7 +48,7 @@ class Operator:
     transpose
         Whether to multiply by A^T.
     weights
-        (8,) factors of the planes; default 1.
+        (8,) factors of the planes; default none, which is faster.
     threads
         Number of threads; the result does not depend on it.
     """
@@ -68,7 +67,8 @@ class Operator:
         self.probability = planes
         self.periodic = boundary == "periodic"
         self.transpose = transpose
-        self.weights = np.ones(8) if weights is None else np.asarray(weights, dtype=np.float64)
+        # A tuple stays in registers; None compiles to a loop without factors.
+        self.weights: Weights = None if weights is None else tuple(float(weight) for weight in weights)
         self.shape: tuple[int, int] = (planes.shape[1], planes.shape[2])
         self._bands = Bands(self.shape, threads)
         self._by_row = np.empty(self.shape[0])
@@ -84,8 +84,7 @@ class Operator:
     def apply(self, x: np.ndarray, out: np.ndarray, *, shift: float = 0.0, scale: float = 1.0) -> np.ndarray:
         """Write shift + scale * (A x) to `out`, both (rows, cols) float64 and not the same array."""
         rows = _rows_in if self.transpose else _rows_out
-        weights = scale * self.weights
-        self._bands.run(lambda a, b: rows(self.probability, x, out, shift, weights, self.periodic, a, b))
+        self._bands.run(lambda a, b: rows(self.probability, x, out, shift, scale, self.weights, a, b))
         return out
 
     def change(self, x: np.ndarray, y: np.ndarray) -> float:
@@ -297,90 +296,75 @@ def _bicgstab(
 
 
 @inlined
-def _term(
-    probability: np.ndarray, x: np.ndarray, weights: np.ndarray, row: int, col: int, d: int, periodic: bool,
-    transpose: bool,
-) -> float:  # fmt: skip
-    """What direction d adds to one row of A x (or A^T x)."""
-    rows, cols = x.shape
-    # The cell that x is read from: the target of the edge, or its source if transposed.
-    r = row - _ROW_STEP[d] if transpose else row + _ROW_STEP[d]
-    c = col - _COL_STEP[d] if transpose else col + _COL_STEP[d]
-    if periodic:
-        r = r + rows if r < 0 else r - rows if r >= rows else r
-        c = c + cols if c < 0 else c - cols if c >= cols else c
-    elif r < 0 or r >= rows or c < 0 or c >= cols:
-        return 0.0
-    p = probability[d, r, c] if transpose else probability[d, row, col]
-    return weights[d] * p * x[r, c]
+def factor(weights: Weights, d: int, p: np.float32) -> float:
+    """Probability p as direction d weighs it."""
+    return np.float64(p) if weights is None else weights[d] * p
 
 
-@kernel
-def _cell(
-    probability: np.ndarray, x: np.ndarray, weights: np.ndarray, row: int, col: int, periodic: bool,
-    transpose: bool,
+@inlined
+def _sum_out(
+    weights: Weights, n: np.ndarray, ne: np.ndarray, e: np.ndarray, se: np.ndarray, s: np.ndarray, sw: np.ndarray,
+    w: np.ndarray, nw: np.ndarray, up: np.ndarray, at: np.ndarray, down: np.ndarray, left: int, c: int, right: int,
 ) -> float:  # fmt: skip
-    """One row of A x (or A^T x) at the rim of the grid."""
-    total = 0.0
-    for first in range(2):  # the sides, then the corners
-        pairs = 0.0
-        for d in range(first, first + 3, 2):
-            pair = _term(probability, x, weights, row, col, d, periodic, transpose)
-            pairs += pair + _term(probability, x, weights, row, col, d + 4, periodic, transpose)
-        total += pairs
-    return total
+    """One cell of A x."""
+    upright = factor(weights, 0, n[c]) * up[c] + factor(weights, 4, s[c]) * down[c]
+    level = factor(weights, 2, e[c]) * at[right] + factor(weights, 6, w[c]) * at[left]
+    rising = factor(weights, 1, ne[c]) * up[right] + factor(weights, 5, sw[c]) * down[left]
+    falling = factor(weights, 3, se[c]) * down[right] + factor(weights, 7, nw[c]) * up[left]
+    return (upright + level) + (rising + falling)
+
+
+@inlined
+def _sum_in(
+    weights: Weights, n: np.ndarray, ne: np.ndarray, e: np.ndarray, se: np.ndarray, s: np.ndarray, sw: np.ndarray,
+    w: np.ndarray, nw: np.ndarray, up: np.ndarray, at: np.ndarray, down: np.ndarray, left: int, c: int, right: int,
+) -> float:  # fmt: skip
+    """One cell of A^T x; every plane at the row that it comes from."""
+    upright = factor(weights, 0, n[c]) * down[c] + factor(weights, 4, s[c]) * up[c]
+    level = factor(weights, 2, e[left]) * at[left] + factor(weights, 6, w[right]) * at[right]
+    rising = factor(weights, 1, ne[left]) * down[left] + factor(weights, 5, sw[right]) * up[right]
+    falling = factor(weights, 3, se[left]) * up[left] + factor(weights, 7, nw[right]) * down[right]
+    return (upright + level) + (rising + falling)
 
 
 @kernel
 def _rows_out(
-    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, weights: np.ndarray, periodic: bool,
+    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, scale: float, weights: Weights,
     first: int, stop: int,
 ) -> None:  # fmt: skip
     rows, cols = x.shape
-    f0, f1, f2, f3 = weights[0], weights[1], weights[2], weights[3]
-    f4, f5, f6, f7 = weights[4], weights[5], weights[6], weights[7]
+    end = cols - 1
     for row in range(first, stop):
-        if row == 0 or row == rows - 1 or cols < 3:
-            for col in range(cols):
-                y[row, col] = shift + _cell(probability, x, weights, row, col, periodic, False)
-            continue
-        # Rows as separate arrays: only so are the loops over columns vectorised.
+        # Rows as separate arrays: only so are the loops over columns vectorised. On an open grid what lies
+        # beyond the rim is met with probability 0.
         n, ne, e, se = probability[0, row], probability[1, row], probability[2, row], probability[3, row]
         s, sw, w, nw = probability[4, row], probability[5, row], probability[6, row], probability[7, row]
-        up, at, down, out = x[row - 1], x[row], x[row + 1], y[row]
-        for c in range(1, cols - 1):
-            sides = (f0 * n[c] * up[c] + f4 * s[c] * down[c]) + (f2 * e[c] * at[c + 1] + f6 * w[c] * at[c - 1])
-            rising = f1 * ne[c] * up[c + 1] + f5 * sw[c] * down[c - 1]
-            falling = f3 * se[c] * down[c + 1] + f7 * nw[c] * up[c - 1]
-            out[c] = shift + (sides + (rising + falling))
-        out[0] = shift + _cell(probability, x, weights, row, 0, periodic, False)
-        out[cols - 1] = shift + _cell(probability, x, weights, row, cols - 1, periodic, False)
+        up, at, down, out = x[row - 1 if row > 0 else rows - 1], x[row], x[row + 1 if row < rows - 1 else 0], y[row]
+        for c in range(1, end):
+            out[c] = shift + scale * _sum_out(weights, n, ne, e, se, s, sw, w, nw, up, at, down, c - 1, c, c + 1)
+        out[0] = shift + scale * _sum_out(weights, n, ne, e, se, s, sw, w, nw, up, at, down, end, 0, min(1, end))
+        out[end] = shift + scale * _sum_out(
+            weights, n, ne, e, se, s, sw, w, nw, up, at, down, max(end - 1, 0), end, 0
+        )
 
 
 @kernel
 def _rows_in(
-    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, weights: np.ndarray, periodic: bool,
+    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, scale: float, weights: Weights,
     first: int, stop: int,
 ) -> None:  # fmt: skip
     rows, cols = x.shape
-    f0, f1, f2, f3 = weights[0], weights[1], weights[2], weights[3]
-    f4, f5, f6, f7 = weights[4], weights[5], weights[6], weights[7]
+    end = cols - 1
     for row in range(first, stop):
-        if row == 0 or row == rows - 1 or cols < 3:
-            for col in range(cols):
-                y[row, col] = shift + _cell(probability, x, weights, row, col, periodic, True)
-            continue
-        n, ne, nw = probability[0, row + 1], probability[1, row + 1], probability[7, row + 1]
-        s, se, sw = probability[4, row - 1], probability[3, row - 1], probability[5, row - 1]
+        above, below = row - 1 if row > 0 else rows - 1, row + 1 if row < rows - 1 else 0
+        n, ne, nw = probability[0, below], probability[1, below], probability[7, below]
+        s, se, sw = probability[4, above], probability[3, above], probability[5, above]
         e, w = probability[2, row], probability[6, row]
-        up, at, down, out = x[row - 1], x[row], x[row + 1], y[row]
-        for c in range(1, cols - 1):
-            sides = (f0 * n[c] * down[c] + f4 * s[c] * up[c]) + (f2 * e[c - 1] * at[c - 1] + f6 * w[c + 1] * at[c + 1])
-            rising = f1 * ne[c - 1] * down[c - 1] + f5 * sw[c + 1] * up[c + 1]
-            falling = f3 * se[c - 1] * up[c - 1] + f7 * nw[c + 1] * down[c + 1]
-            out[c] = shift + (sides + (rising + falling))
-        out[0] = shift + _cell(probability, x, weights, row, 0, periodic, True)
-        out[cols - 1] = shift + _cell(probability, x, weights, row, cols - 1, periodic, True)
+        up, at, down, out = x[above], x[row], x[below], y[row]
+        for c in range(1, end):
+            out[c] = shift + scale * _sum_in(weights, n, ne, e, se, s, sw, w, nw, up, at, down, c - 1, c, c + 1)
+        out[0] = shift + scale * _sum_in(weights, n, ne, e, se, s, sw, w, nw, up, at, down, end, 0, min(1, end))
+        out[end] = shift + scale * _sum_in(weights, n, ne, e, se, s, sw, w, nw, up, at, down, max(end - 1, 0), end, 0)
 
 
 @kernel
