@@ -17,6 +17,8 @@ from scipy.sparse.linalg import SuperLU, splu
 
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 
+#: Most solutions with one set of factors.
+_SOLUTIONS = 12
 #: Rounding allowance of a ratio (A x)_i / x_i: nine roundings and some room.
 ROUNDING = 1e-14
 
@@ -100,41 +102,55 @@ def block_bounds(matrix: sp.csr_array, tolerance: float, *, guess: float = 0.0) 
 def _irreducible(matrix: sp.csr_array, tolerance: float, guess: float) -> tuple[float, float, np.ndarray]:
     """Bounds and eigenvector of an irreducible matrix by Noda's iteration (1971, doi 10.1007/BF01436384).
 
-    Each step solves (mu I - A) y = x with mu the present upper bound; the bounds close quadratically.
+    Each step solves (mu I - A) y = x with mu the present upper bound; the bounds close quadratically. Factors cost
+    as much as twenty solutions, so each are used for as long as the bounds move.
     """
-    x = _near(matrix, guess) if guess > 0.0 else None
-    smoothing = 2 if x is not None else 60
-    x = np.ones(matrix.shape[0]) if x is None else x
-    lower, upper, best = 0.0, np.inf, x
-    for step in range(40):
-        for _ in range(smoothing):  # later, a few steps smooth the rounding of the solve
-            x = matrix @ x + 0.3 * x
-            x /= x.max()
-        smoothing = 2
-        if not x.min() > 1e-290:  # so small that ratios lose their digits: the bounds stay where they are
-            break
-        ratio = matrix @ x / x
-        low, high = float(ratio.min()), float(ratio.max())
-        if step > 2 and low <= lower and high >= upper:
-            break
-        lower, upper, best = max(lower, low), min(upper, high), x
-        if upper <= lower * (1.0 + tolerance):
+    found = _Enclosure(matrix)
+    shift = guess * (1.0 + 1e-6)  # a guess below the radius is no harm: solutions change their sign, no more
+    if guess == 0.0:
+        found.smooth(60)
+        shift = found.upper
+    for _ in range(40):
+        if found.near(tolerance):
             break
         try:
-            y = np.abs(factorise(matrix, upper * (1.0 + ROUNDING)).solve(x))
-        except RuntimeError:  # the bound is the radius to the last digit
+            solver = factorise(matrix, shift * (1.0 + ROUNDING))
+        except RuntimeError:  # the shift is the radius to the last digit
             break
-        x = y / y.max()
-    return lower * (1.0 - ROUNDING), upper * (1.0 + ROUNDING), best
+        before = found.lower, found.upper
+        for _ in range(_SOLUTIONS):
+            last = found.lower, found.upper
+            found.x = np.abs(solver.solve(found.x))
+            found.smooth(2)  # the rounding of the solution
+            if found.near(tolerance) or last == (found.lower, found.upper):
+                break
+        if before == (found.lower, found.upper):
+            break
+        shift = found.upper
+    return found.lower * (1.0 - ROUNDING), found.upper * (1.0 + ROUNDING), found.best
 
 
-def _near(matrix: sp.csr_array, guess: float) -> np.ndarray | None:
-    """Inverse iteration just above a guess; None if the guess is below the radius."""
-    solver = factorise(matrix, guess * (1.0 + 1e-6))
-    x = np.ones(matrix.shape[0])
-    for _ in range(4):
-        x = solver.solve(x)
-        if not x.min() > 0.0:
-            return None
-        x /= x.max()
-    return x
+class _Enclosure:
+    """A positive vector and the bounds of the radius that it and the ones before it prove."""
+
+    def __init__(self, matrix: sp.csr_array) -> None:
+        self._matrix = matrix
+        self.x = self.best = np.ones(matrix.shape[0])
+        self.lower, self.upper = 0.0, np.inf
+
+    def near(self, tolerance: float) -> bool:
+        """Whether the bounds are as near to each other as asked."""
+        return self.upper <= self.lower * (1.0 + tolerance)
+
+    def smooth(self, steps: int) -> None:
+        """Make power steps, then look at the ratios."""
+        x = self.x / self.x.max()
+        for _ in range(steps):
+            x = self._matrix @ x + 0.3 * x
+            x /= x.max()
+        self.x = x
+        if not x.min() > 1e-290:  # so small that ratios lose their digits: the bounds stay where they are
+            return
+        ratio = self._matrix @ x / x
+        self.lower, self.upper = max(self.lower, float(ratio.min())), min(self.upper, float(ratio.max()))
+        self.best = x
