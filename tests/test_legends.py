@@ -174,6 +174,17 @@ def test_finding_is_looking_through_the_lines():
     assert list(legend.find(values)) == slow
 
 
+@pytest.mark.parametrize("name", ["corine", "canopy_cover", "paper"])
+def test_many_values_are_found_as_few_are(name):
+    legend = read_legend(name)
+    rng = np.random.default_rng(1)
+    values = rng.integers(-5, 530, 80_000).astype(np.float64)
+    odd = [np.nan, np.inf, -np.inf, -1.0, -0.5, 1.5, 29.9, 65_535.0, 65_536.0, 65_647.0, 1e30, -65_425.0]
+    values[rng.integers(0, values.size, 5_000)] = rng.choice(odd, 5_000)
+    in_parts = np.concatenate([legend.find(part) for part in np.split(values, 8)])
+    assert np.array_equal(legend.find(values), in_parts)
+
+
 def test_an_own_legend_by_path(tmp_path):
     path = tmp_path / "Ελλάδα.csv"
     text = '# Own map\n# version 3\n\ncode, vegetation, density, label\n7, Pines, dense, "old, tall"\n3,none,,\n'

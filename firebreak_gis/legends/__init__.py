@@ -29,6 +29,8 @@ COLUMNS = ("code", "vegetation", "density", "label", "density_from_raster")
 _NEAREST = {"vegetation": {1: -0.3, 2: 0.0, 3: 0.4}, "density": {1: -0.4, 2: 0.0, 3: 0.3}}
 _CLASSES = {"vegetation": VEGETATION, "density": DENSITY}
 _RANGE = re.compile(r"^\s*(-?[\d.]+?)\s*\.\.\s*(-?[\d.]+)\s*$")
+#: Values from which `Legend.find` looks codes up in a table, and the size of it.
+_TABLE = 1 << 16
 
 
 @dataclass(frozen=True)
@@ -104,9 +106,21 @@ class Legend:
 
     def find(self, values: np.ndarray) -> np.ndarray:
         """Return the index into `entries` for each value, -1 where the legend does not list it."""
+        numbers = np.asarray(values, dtype=np.float64)
+        if numbers.size < _TABLE:
+            return self._search(numbers)
+        # Codes are small whole numbers: one table serves all cells.
+        with np.errstate(invalid="ignore"):
+            code = numbers.astype(np.uint16)
+        found = self._search(np.arange(_TABLE, dtype=np.float64))[code]
+        other = code != numbers
+        if other.any():
+            found[other] = self._search(numbers[other])
+        return found
+
+    def _search(self, numbers: np.ndarray) -> np.ndarray:
         lows = np.array([entry.low for entry in self.entries])
         highs = np.array([entry.high for entry in self.entries])
-        numbers = np.asarray(values, dtype=np.float64)
         index = np.searchsorted(lows, numbers, side="right") - 1
         found = index.clip(0)
         inside = (index >= 0) & (numbers < highs[found])
