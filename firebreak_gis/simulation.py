@@ -15,7 +15,7 @@ import numpy as np
 from firebreak_gis.breaks import cells_to_cut, removal_order
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.ignitions import IgnitionMode, resolve_ignitions
-from firebreak_gis.progress import Progress, silent
+from firebreak_gis.progress import Progress, part
 from firebreak_gis.schema import annotate
 from firebreak_gis.workers import run_pieces, thread_count
 
@@ -249,17 +249,24 @@ class _Fires:
         """Make all runs; `pilot` tells, after the first ones, in which cells and how much has burnt."""
         from firebreak_gis.kernels.lanes import LANES, block_pays
 
-        report = progress or silent
         n_threads = thread_count(threads)
         done = min(_PILOT, self.n_runs)
-        report(0.0, "burning")
-        one_by_one(0, done)
+        report = part(progress, 0.0, done / self.n_runs)
+        _share_out(one_by_one, 0, done, -(-done // n_threads), threads, report)
         share = -(-(self.n_runs - done) // n_threads)
         work, size = one_by_one, min(_PIECE, share)
         if together is not None and share > _PILOT and block_pays(*pilot(), min(LANES, share), curve=curve):
             work, size = together, min(LANES, share)
-        pieces = [(first, min(first + size, self.n_runs)) for first in range(done, self.n_runs, max(size, 1))]
-        run_pieces(lambda piece: work(*piece), pieces, threads=threads, progress=report, message="burning")
+        report = part(progress, done / self.n_runs, 1.0)
+        _share_out(work, done, self.n_runs, size, threads, report)
+
+
+def _share_out(
+    work: Callable[[int, int], None], first: int, last: int, size: int, threads: int | None, progress: Progress
+) -> None:
+    """Make the runs from `first` to before `last`, `size` a piece."""
+    pieces = [(run, min(run + size, last)) for run in range(first, last, max(size, 1))]
+    run_pieces(lambda piece: work(*piece), pieces, threads=threads, progress=progress, message="burning")
 
 
 def burn_maps(
