@@ -33,7 +33,7 @@ class Bands:
         wanted = 1 if threads is None and rows * cols < SMALL else thread_count(threads)
         self.threads = max(1, min(wanted, rows))
         self._edges = [rows * k // self.threads for k in range(self.threads + 1)]
-        self._pool = ThreadPoolExecutor(self.threads) if self.threads > 1 else None
+        self._pool = ThreadPoolExecutor(self.threads - 1) if self.threads > 1 else None
 
     def __enter__(self) -> Bands:
         return self
@@ -49,6 +49,8 @@ class Bands:
         if self._pool is None:
             call(self._edges[0], self._edges[-1])
             return
-        bands = itertools.pairwise(self._edges)
-        for future in [self._pool.submit(call, first, stop) for first, stop in bands]:
+        *others, (first, stop) = itertools.pairwise(self._edges)
+        waiting = [self._pool.submit(call, *band) for band in others]
+        call(first, stop)  # here, rather than wake one more thread
+        for future in waiting:
             future.result()

@@ -7,7 +7,6 @@ the largest radius of its strongly connected parts, and radius 0 if it has no cy
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,7 +39,7 @@ class Block:
     vector: np.ndarray
 
 
-def grid_matrix(planes: np.ndarray, boundary: str, weights: Sequence[float] | None = None) -> sp.csr_array:
+def grid_matrix(planes: np.ndarray, boundary: str, weights: np.ndarray | None = None) -> sp.csr_array:
     """Matrix of a small grid, or of a window cut out of a large one (boundary "open"), float64.
 
     `weights` (8,) are factors of the planes.
@@ -52,7 +51,7 @@ def grid_matrix(planes: np.ndarray, boundary: str, weights: Sequence[float] | No
         to_row, to_col = to_row % rows, to_col % cols
     inside = (to_row >= 0) & (to_row < rows) & (to_col >= 0) & (to_col < cols)
     values = planes[d, row, col].astype(np.float64)
-    values = (values if weights is None else values * np.asarray(weights)[d])[inside]
+    values = (values if weights is None else values * weights[d])[inside]
     source, target = (row * cols + col)[inside], (to_row * cols + to_col)[inside]
     return sp.csr_array((values, (source, target)), shape=(rows * cols, rows * cols))
 

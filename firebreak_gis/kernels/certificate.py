@@ -15,7 +15,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from firebreak_gis.kernels.blocks import ROUNDING, Block, block_bounds, factorise, grid_matrix
-from firebreak_gis.kernels.linear import Operator, Weights, factor
+from firebreak_gis.kernels.linear import Operator
 from firebreak_gis.kernels.policy import kernel
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.progress import Progress
@@ -280,7 +280,7 @@ def _solve_window(operator: Operator, x: np.ndarray, centre: tuple[int, int], ha
 
 @kernel
 def _relax(
-    probability: np.ndarray, weights: Weights, x: np.ndarray, queue: np.ndarray,
+    probability: np.ndarray, weights: np.ndarray, x: np.ndarray, queue: np.ndarray,
     waiting: np.ndarray, n_open: int, to: float,
     above: float, periodic: bool, limit: int,
 ) -> int:  # fmt: skip
@@ -304,7 +304,7 @@ def _relax(
             if periodic:
                 r, c = r % rows, c % cols
             if 0 <= r < rows and 0 <= c < cols:
-                total += factor(weights, d, probability[d, row, col]) * x[r, c]
+                total += weights[d] * probability[d, row, col] * x[r, c]
         if total <= above * x[row, col]:
             continue
         x[row, col] = total / to
