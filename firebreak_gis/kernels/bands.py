@@ -14,7 +14,7 @@ from types import TracebackType
 from firebreak_gis.workers import thread_count
 
 #: Fewer cells than this are not worth a second thread.
-SMALL = 20_000
+SMALL = 200_000
 
 
 class Bands:

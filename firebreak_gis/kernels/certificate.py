@@ -222,6 +222,7 @@ def _raise(
     waiting = np.zeros(x.size, dtype=np.uint8)
     visits: dict[tuple[int, int], int] = {}
     aim = goal * (1.0 - 4.0 * ROUNDING)
+    weights = np.ones(8) if operator.weights is None else operator.weights
     for step in range(_ROUNDS):
         operator.apply(x, spare)
         open_cells = np.flatnonzero(spare > aim * x)
@@ -232,7 +233,7 @@ def _raise(
         waiting[open_cells] = 1
         # Raised a little further than needed, so that the last digits come to rest.
         left = _relax(
-            operator.probability, operator.weights, x, queue, waiting, open_cells.size, aim * (1.0 - 1e-12),
+            operator.probability, weights, x, queue, waiting, open_cells.size, aim * (1.0 - 1e-12),
             aim * (1.0 - ROUNDING), operator.periodic, _VISITS + x.size // 2,
         )  # fmt: skip
         if left == 0:

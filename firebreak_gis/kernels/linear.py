@@ -45,7 +45,7 @@ class Operator:
     transpose
         Whether to multiply by A^T.
     weights
-        (8,) factors of the planes; default 1.
+        (8,) factors of the planes; none is faster than all 1.
     threads
         Number of threads; the result does not depend on it.
     """
@@ -64,7 +64,7 @@ class Operator:
         self.probability = planes
         self.periodic = boundary == "periodic"
         self.transpose = transpose
-        self.weights = np.ones(8) if weights is None else np.asarray(weights, dtype=np.float64)
+        self.weights = None if weights is None else np.asarray(weights, dtype=np.float64)
         self.shape: tuple[int, int] = (planes.shape[1], planes.shape[2])
         self._bands = Bands(self.shape, threads)
         self._by_row = np.empty(self.shape[0])
@@ -80,8 +80,7 @@ class Operator:
     def apply(self, x: np.ndarray, out: np.ndarray, *, shift: float = 0.0, scale: float = 1.0) -> np.ndarray:
         """Write shift + scale * (A x) to `out`, both (rows, cols) float64 and not the same array."""
         rows = _rows_in if self.transpose else _rows_out
-        weights = scale * self.weights
-        self._bands.run(lambda a, b: rows(self.probability, x, out, shift, weights, a, b))
+        self._bands.run(lambda a, b: rows(self.probability, x, out, shift, scale, self.weights, a, b))
         return out
 
     def change(self, x: np.ndarray, y: np.ndarray) -> float:
@@ -293,38 +292,55 @@ def _bicgstab(
 
 
 @inlined
+def _factors(weights: np.ndarray | None) -> tuple[float, ...]:
+    """Factors of the planes as a tuple, which stays in registers."""
+    if weights is None:
+        return (1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
+    return (weights[0], weights[1], weights[2], weights[3], weights[4], weights[5], weights[6], weights[7])
+
+
+@inlined
+def _times(weights: np.ndarray | None, factor: float, p: np.float32) -> float:
+    """Product with a factor; without weights nothing is left of it in the compiled loop."""
+    return np.float64(p) if weights is None else factor * p
+
+
+@inlined
 def _sum_out(
-    f: tuple[float, ...], n: np.ndarray, ne: np.ndarray, e: np.ndarray, se: np.ndarray, s: np.ndarray, sw: np.ndarray,
-    w: np.ndarray, nw: np.ndarray, up: np.ndarray, at: np.ndarray, down: np.ndarray, left: int, c: int, right: int,
+    weights: np.ndarray | None, f: tuple[float, ...], n: np.ndarray, ne: np.ndarray, e: np.ndarray, se: np.ndarray,
+    s: np.ndarray, sw: np.ndarray, w: np.ndarray, nw: np.ndarray, up: np.ndarray, at: np.ndarray, down: np.ndarray,
+    left: int, c: int, right: int,
 ) -> float:  # fmt: skip
     """One cell of A x."""
-    upright = f[0] * n[c] * up[c] + f[4] * s[c] * down[c]
-    level = f[2] * e[c] * at[right] + f[6] * w[c] * at[left]
-    rising = f[1] * ne[c] * up[right] + f[5] * sw[c] * down[left]
-    falling = f[3] * se[c] * down[right] + f[7] * nw[c] * up[left]
+    upright = _times(weights, f[0], n[c]) * up[c] + _times(weights, f[4], s[c]) * down[c]
+    level = _times(weights, f[2], e[c]) * at[right] + _times(weights, f[6], w[c]) * at[left]
+    rising = _times(weights, f[1], ne[c]) * up[right] + _times(weights, f[5], sw[c]) * down[left]
+    falling = _times(weights, f[3], se[c]) * down[right] + _times(weights, f[7], nw[c]) * up[left]
     return (upright + level) + (rising + falling)
 
 
 @inlined
 def _sum_in(
-    f: tuple[float, ...], n: np.ndarray, ne: np.ndarray, e: np.ndarray, se: np.ndarray, s: np.ndarray, sw: np.ndarray,
-    w: np.ndarray, nw: np.ndarray, up: np.ndarray, at: np.ndarray, down: np.ndarray, left: int, c: int, right: int,
+    weights: np.ndarray | None, f: tuple[float, ...], n: np.ndarray, ne: np.ndarray, e: np.ndarray, se: np.ndarray,
+    s: np.ndarray, sw: np.ndarray, w: np.ndarray, nw: np.ndarray, up: np.ndarray, at: np.ndarray, down: np.ndarray,
+    left: int, c: int, right: int,
 ) -> float:  # fmt: skip
     """One cell of A^T x; every plane at the row that it comes from."""
-    upright = f[0] * n[c] * down[c] + f[4] * s[c] * up[c]
-    level = f[2] * e[left] * at[left] + f[6] * w[right] * at[right]
-    rising = f[1] * ne[left] * down[left] + f[5] * sw[right] * up[right]
-    falling = f[3] * se[left] * up[left] + f[7] * nw[right] * down[right]
+    upright = _times(weights, f[0], n[c]) * down[c] + _times(weights, f[4], s[c]) * up[c]
+    level = _times(weights, f[2], e[left]) * at[left] + _times(weights, f[6], w[right]) * at[right]
+    rising = _times(weights, f[1], ne[left]) * down[left] + _times(weights, f[5], sw[right]) * up[right]
+    falling = _times(weights, f[3], se[left]) * up[left] + _times(weights, f[7], nw[right]) * down[right]
     return (upright + level) + (rising + falling)
 
 
 @kernel
 def _rows_out(
-    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, weights: np.ndarray, first: int, stop: int
+    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, scale: float, weights: np.ndarray | None,
+    first: int, stop: int,
 ) -> None:  # fmt: skip
     rows, cols = x.shape
     end = cols - 1
-    f = (weights[0], weights[1], weights[2], weights[3], weights[4], weights[5], weights[6], weights[7])
+    f = _factors(weights)
     for row in range(first, stop):
         # Rows as separate arrays: only so are the loops over columns vectorised. On an open grid what lies
         # beyond the rim is met with probability 0.
@@ -332,18 +348,21 @@ def _rows_out(
         s, sw, w, nw = probability[4, row], probability[5, row], probability[6, row], probability[7, row]
         up, at, down, out = x[row - 1 if row > 0 else rows - 1], x[row], x[row + 1 if row < rows - 1 else 0], y[row]
         for c in range(1, end):
-            out[c] = shift + _sum_out(f, n, ne, e, se, s, sw, w, nw, up, at, down, c - 1, c, c + 1)
-        out[0] = shift + _sum_out(f, n, ne, e, se, s, sw, w, nw, up, at, down, end, 0, min(1, end))
-        out[end] = shift + _sum_out(f, n, ne, e, se, s, sw, w, nw, up, at, down, max(end - 1, 0), end, 0)
+            out[c] = shift + scale * _sum_out(weights, f, n, ne, e, se, s, sw, w, nw, up, at, down, c - 1, c, c + 1)
+        out[0] = shift + scale * _sum_out(weights, f, n, ne, e, se, s, sw, w, nw, up, at, down, end, 0, min(1, end))
+        out[end] = shift + scale * _sum_out(
+            weights, f, n, ne, e, se, s, sw, w, nw, up, at, down, max(end - 1, 0), end, 0
+        )
 
 
 @kernel
 def _rows_in(
-    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, weights: np.ndarray, first: int, stop: int
+    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, scale: float, weights: np.ndarray | None,
+    first: int, stop: int,
 ) -> None:  # fmt: skip
     rows, cols = x.shape
     end = cols - 1
-    f = (weights[0], weights[1], weights[2], weights[3], weights[4], weights[5], weights[6], weights[7])
+    f = _factors(weights)
     for row in range(first, stop):
         above, below = row - 1 if row > 0 else rows - 1, row + 1 if row < rows - 1 else 0
         n, ne, nw = probability[0, below], probability[1, below], probability[7, below]
@@ -351,9 +370,11 @@ def _rows_in(
         e, w = probability[2, row], probability[6, row]
         up, at, down, out = x[above], x[row], x[below], y[row]
         for c in range(1, end):
-            out[c] = shift + _sum_in(f, n, ne, e, se, s, sw, w, nw, up, at, down, c - 1, c, c + 1)
-        out[0] = shift + _sum_in(f, n, ne, e, se, s, sw, w, nw, up, at, down, end, 0, min(1, end))
-        out[end] = shift + _sum_in(f, n, ne, e, se, s, sw, w, nw, up, at, down, max(end - 1, 0), end, 0)
+            out[c] = shift + scale * _sum_in(weights, f, n, ne, e, se, s, sw, w, nw, up, at, down, c - 1, c, c + 1)
+        out[0] = shift + scale * _sum_in(weights, f, n, ne, e, se, s, sw, w, nw, up, at, down, end, 0, min(1, end))
+        out[end] = shift + scale * _sum_in(
+            weights, f, n, ne, e, se, s, sw, w, nw, up, at, down, max(end - 1, 0), end, 0
+        )
 
 
 @kernel

@@ -31,8 +31,8 @@ def stencil_rows(side: int) -> Iterator[Comparison]:
     x = np.random.default_rng(0).random(network.shape)
     out = np.empty(network.shape)
     matrix = network.to_csr()
-    # Small products are repeated until the clock sees them.
-    times = max(1, 10_000_000 // x.size)
+    # In a row, as a solver makes them: caches and clock rate take some milliseconds to settle after the other side.
+    times = max(1, 40_000_000 // x.size)
 
     def theirs() -> np.ndarray:
         for _ in range(times):

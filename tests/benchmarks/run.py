@@ -1,11 +1,11 @@
-"""Measure the kernels against their peers: `python -m tests.benchmarks.run`, about 20 minutes.
+"""Measure the kernels against their peers: `python -m tests.benchmarks.run`, about 10 minutes.
 
 Every row is checked before it is timed: both sides must give the same result (fires of other draws: the same mean
 size within its error). Both sides take turns, times are medians. Rows on one thread are in processor time, which
 other programs on the machine hardly change; rows by the clock (several threads, start-up, files to files) need a
 quiet machine.
 
-`--huge` adds 9 million cells against scipy, and networkx on 10,000 cells: half an hour more and 8 GB of memory.
+`--huge` adds 9 million cells against scipy, and networkx on 10,000 cells: 12 minutes more and 8 GB of memory.
 """
 
 from __future__ import annotations
