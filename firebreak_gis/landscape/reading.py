@@ -100,6 +100,10 @@ def read_landscape(
         If a parameter is impossible.
     ResourceError
         If the work would not fit into memory.
+
+    Notes
+    -----
+    Memory at the peak: at most 65 B a cell of the grid, beside the part of a layer that is read at once.
     """
     report = progress or silent
     if unknown not in ("refuse", "nonburnable"):

@@ -64,6 +64,10 @@ def rank(
         If the method or a parameter is unknown or out of range.
     GridError
         If the setting was made for a network of another shape.
+
+    Notes
+    -----
+    Memory at the peak, beside the network: `methods.memory_of("ranking", method)`; the text of each method says more.
     """
     module = load("ranking", method)
     values = build_params(module, params)

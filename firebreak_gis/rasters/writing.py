@@ -75,6 +75,10 @@ def write_raster(
         If the file cannot be written.
     VerificationError
         If what was written does not read back the same.
+
+    Notes
+    -----
+    Memory at the peak: twice the values, and the compressed file.
     """
     variable = _variable_of(data)
     grid = Grid.of(data)

@@ -44,6 +44,10 @@ def spread_network(landscape: xr.Dataset, *, model: str = "alexandridis", **para
         If the model or a parameter is unknown or out of range.
     InputError
         If a variable that the model needs is missing or out of range.
+
+    Notes
+    -----
+    Memory at the peak: at most 110 B a cell, the landscape included; the network keeps 33 B a cell.
     """
     module = load("spread", model)
     values = build_params(module, params)
