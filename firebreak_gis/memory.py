@@ -42,16 +42,16 @@ class Need:
 _PLAIN, _COMPILED, _DRAWING = 170_000_000, 285_000_000, 435_000_000
 #: What holds the network and what a planner adds while a ranking works, bytes a cell.
 _NETWORK = 58
-#: Reading or making a network is the peak of each command that has one, unless its work needs more.
-_READING = Need(_COMPILED, 210)
+#: Making a network, or reading one, is the peak of each command that has one, unless its work needs more.
+_MAKING, _READING = Need(_COMPILED, 210), Need(_PLAIN, 140)
 _STAGES: Mapping[str, tuple[Need, ...]] = {
     "align": (Need(_PLAIN, 81),),
-    "network": (_READING,),
+    "network": (_MAKING,),
     "rank": (_READING,),
     "burn": (_READING, Need(_COMPILED, 170, 87)),
-    "evaluate": (_READING, Need(_DRAWING, 170, 87)),
+    "evaluate": (_READING, Need(300_000_000, 150, 45)),
     "compare": (_READING, Need(_DRAWING, 170, 87)),
-    "plan": (_READING, Need(_DRAWING, 170, 87)),
+    "plan": (_MAKING, Need(_DRAWING, 170, 87)),
 }
 
 

@@ -67,6 +67,17 @@ def common(command: F) -> F:
     return wrapper  # type: ignore[return-value]
 
 
+def _settle_xarray() -> None:
+    """Make a first array while nothing large is held.
+
+    xarray then loads dask if it is installed, and dask keeps the calling functions' variables for good.
+    """
+    import numpy as np
+    import xarray as xr
+
+    xr.Variable("x", np.zeros(1))
+
+
 def claiming_output(command: F, *, folder: bool) -> F:
     """Keep other runs from writing to `output` while the command runs."""
 
@@ -76,6 +87,7 @@ def claiming_output(command: F, *, folder: bool) -> F:
 
         if kwargs.get("dry_run"):
             return command(*args, **kwargs)
+        _settle_xarray()
         with claiming(kwargs["output"], folder=folder):
             return command(*args, **kwargs)
 

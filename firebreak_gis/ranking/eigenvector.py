@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from firebreak_gis.setting import Setting
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
-MEMORY = (200, 0)
+MEMORY = (100, 0)
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from firebreak_gis.setting import Setting
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
-MEMORY = (150, 0)
+MEMORY = (30, 0)
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from firebreak_gis.setting import Setting
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
-MEMORY = (150, 0)
+MEMORY = (80, 0)
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from firebreak_gis.setting import Setting
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
-MEMORY = (200, 0)
+MEMORY = (160, 0)
 
 
 @dataclass(frozen=True)

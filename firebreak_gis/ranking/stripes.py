@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from firebreak_gis.setting import Setting
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
-MEMORY = (275, 0)
+MEMORY = (180, 0)
 
 
 @dataclass(frozen=True)
