@@ -87,7 +87,7 @@ def claiming_output(command: F, *, folder: bool) -> F:
 
         if kwargs.get("dry_run"):
             return command(*args, **kwargs)
-        _settle_xarray()
+        _settle_xarray()  # the command's own variables do not exist yet
         with claiming(kwargs["output"], folder=folder):
             return command(*args, **kwargs)
 

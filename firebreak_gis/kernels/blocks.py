@@ -107,7 +107,7 @@ def _irreducible(matrix: sp.csr_array, tolerance: float, guess: float) -> tuple[
     found = _Enclosure(matrix)
     shift = guess * (1.0 + 1e-6)  # a guess below the radius is no harm: solutions change their sign, no more
     if guess == 0.0:
-        found.smooth(60)
+        found.improve(found.x, 60)
         shift = found.upper
     for _ in range(40):
         if found.near(tolerance):
@@ -119,8 +119,7 @@ def _irreducible(matrix: sp.csr_array, tolerance: float, guess: float) -> tuple[
         before = found.lower, found.upper
         for _ in range(_SOLUTIONS):
             last = found.lower, found.upper
-            found.x = np.abs(solver.solve(found.x))
-            found.smooth(2)  # the rounding of the solution
+            found.improve(np.abs(solver.solve(found.x)), 2)  # two steps smooth the rounding of the solution
             if found.near(tolerance) or last == (found.lower, found.upper):
                 break
         if before == (found.lower, found.upper):
@@ -141,9 +140,9 @@ class _Enclosure:
         """Whether the bounds are as near to each other as asked."""
         return self.upper <= self.lower * (1.0 + tolerance)
 
-    def smooth(self, steps: int) -> None:
-        """Make power steps, then look at the ratios."""
-        x = self.x / self.x.max()
+    def improve(self, x: np.ndarray, steps: int) -> None:
+        """Go on from x: make power steps, then look at the ratios."""
+        x = x / x.max()
         for _ in range(steps):
             x = self._matrix @ x + 0.3 * x
             x /= x.max()

@@ -10,7 +10,7 @@ value there and the degree is returned. With `recompute_every` the centrality is
 that is left after every few cuts, and the order of removal is returned.
 
 Cost: a few products with A for lambda_max, then about 23 / -ln(beta) products of 1-2 ns a cell each, for every round;
-memory about 64 B a cell. Ties fall to the cell first in (row, col).
+memory about 45 B a cell. Ties fall to the cell first in (row, col).
 Source: Bonacich 1987, doi 10.1086/228631; Russo, Russo, Siettos 2016, doi 10.1371/journal.pone.0163226.
 """
 

@@ -8,7 +8,7 @@ all weight lies around the densest spot and it falls off exponentially from ther
 Cells that cannot light the dominant part of the network (`in`: be lit from it), other islands among them, have 0;
 so has every cell of a network without cycles, whose largest eigenvalue is 0. Cost: up to 40,000 cells a sparse
 factorisation, accurate to 1e-9 in every cell; beyond, up to 2,000 products with A of 1-2 ns a cell, until no entry
-changes by more than 1e-9 of the largest in a step; memory about 140 B a cell.
+changes by more than 1e-9 of the largest in a step; memory about 70 B a cell.
 Source: Bonacich 1972, doi 10.1080/0022250X.1972.9989806; Russo, Russo, Siettos 2016,
 doi 10.1371/journal.pone.0163226.
 """
