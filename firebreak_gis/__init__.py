@@ -14,15 +14,15 @@ __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from firebreak_gis.breaks import break_polygons, removal_order, select_breaks
-    from firebreak_gis.distributed import simulate_distributed
     from firebreak_gis.errors import Cancelled, FirebreakError
-    from firebreak_gis.evaluation import evaluate
+    from firebreak_gis.evaluation.curves import evaluate
     from firebreak_gis.landscape import read_landscape
     from firebreak_gis.network import SpreadNetwork
-    from firebreak_gis.pipeline import plan
+    from firebreak_gis.planning.pipeline import plan
     from firebreak_gis.ranking import rank
     from firebreak_gis.rasters import write_raster
-    from firebreak_gis.simulation import burn_curve, simulate
+    from firebreak_gis.simulation.distributed import simulate_distributed
+    from firebreak_gis.simulation.fires import burn_curve, simulate
     from firebreak_gis.spread import spread_network
     from firebreak_gis.spread.artificial import forest
     from firebreak_gis.spread.raster import read_network
@@ -30,19 +30,19 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "break_polygons": "breaks",
-    "burn_curve": "simulation",
+    "burn_curve": "simulation.fires",
     "Cancelled": "errors",
-    "evaluate": "evaluation",
+    "evaluate": "evaluation.curves",
     "FirebreakError": "errors",
     "forest": "spread.artificial",
-    "plan": "pipeline",
+    "plan": "planning.pipeline",
     "rank": "ranking",
     "read_landscape": "landscape",
     "read_network": "spread.raster",
     "removal_order": "breaks",
     "select_breaks": "breaks",
-    "simulate": "simulation",
-    "simulate_distributed": "distributed",
+    "simulate": "simulation.fires",
+    "simulate_distributed": "simulation.distributed",
     "spread_network": "spread",
     "SpreadNetwork": "network",
     "write_raster": "rasters",

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from firebreak_gis.errors import ResourceError
-from firebreak_gis.methods import memory_of
-from firebreak_gis.workers import thread_count
+from firebreak_gis.plugins import memory_of
+from firebreak_gis.threads import thread_count
 
 #: Share of the machine's memory that is used unless the user gives a limit.
 DEFAULT_SHARE = 0.8

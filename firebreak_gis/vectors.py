@@ -349,7 +349,7 @@ def _write_styles(part: Path, styles: Mapping[str, str]) -> None:
     import pyogrio
     from pyogrio.errors import DataLayerError, DataSourceError, FeatureError, FieldError
 
-    from firebreak_gis.vector_styles import style_table
+    from firebreak_gis.styles.vectors import style_table
 
     rows = style_table(dict(styles), geometry="geom", date=FIXED_DATE)
     try:

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from firebreak_gis import memory, methods
+from firebreak_gis import memory, plugins
 from firebreak_gis.cli import parsing
 from firebreak_gis.errors import ParameterError, ResourceError
 from tests.benchmarks.estimates import measure
@@ -18,9 +18,9 @@ def test_estimates_are_near_the_measured_peak_on_a_million_cells():
 
 
 def test_every_ranking_tells_what_it_needs():
-    for name in methods.names("ranking"):
-        assert hasattr(methods.load("ranking", name), "MEMORY"), name
-        cell, thread = methods.memory_of("ranking", name)
+    for name in plugins.names("ranking"):
+        assert hasattr(plugins.load("ranking", name), "MEMORY"), name
+        cell, thread = plugins.memory_of("ranking", name)
         assert 0 <= thread <= cell <= 1000
 
 

@@ -16,9 +16,6 @@ import click
 import firebreak_gis
 from firebreak_gis.errors import Cancelled, FirebreakError, ResourceError
 
-#: Modules of this package that are not commands.
-_SUPPORT = {"group", "kinds", "layers", "options", "parsing", "rehearsal", "session", "stakes"}
-
 EXIT_BUG, EXIT_USAGE = 1, 2
 
 _AS_JSON = "firebreak_gis.as_json"
@@ -29,7 +26,7 @@ class Commands(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - the interface of click
         """Name every command, in the order of the work."""
-        found = {m.name for m in pkgutil.iter_modules(_package_path()) if m.name not in _SUPPORT}
+        found = {m.name for m in pkgutil.iter_modules(_package_path())}
         order = ["plan", "align", "network", "rank", "breaks", "segments", "burn", "evaluate"]
         return [name for name in order if name in found] + sorted(found - set(order))
 
@@ -37,7 +34,7 @@ class Commands(click.Group):
         """Import the file of a command."""
         if cmd_name not in self.list_commands(ctx):
             return None
-        command = getattr(importlib.import_module(f"firebreak_gis.cli.{cmd_name}"), "command")  # noqa: B009
+        command = getattr(importlib.import_module(f"firebreak_gis.cli.commands.{cmd_name}"), "command")  # noqa: B009
         return command if isinstance(command, click.Command) else None
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
@@ -79,7 +76,7 @@ class Commands(click.Group):
 
 
 def _package_path() -> list[str]:
-    return list(importlib.import_module("firebreak_gis.cli").__path__)
+    return list(importlib.import_module("firebreak_gis.cli.commands").__path__)
 
 
 def _fail(error: FirebreakError, as_json: bool) -> None:

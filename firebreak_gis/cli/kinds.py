@@ -7,7 +7,8 @@ from typing import Any
 
 import click
 
-from firebreak_gis import legends, methods
+from firebreak_gis import plugins
+from firebreak_gis.landscape import legends
 from firebreak_gis.landscape.continuity import CONTINUITY
 from firebreak_gis.schema import DENSITY
 
@@ -49,9 +50,9 @@ VECTOR_OR_RASTER = Kind("vector|raster")
 COST = Kind("vector|raster|text")
 RASTER_OR_DENSITY = Kind("raster|choice", lambda: [*(word for code, word in DENSITY.items() if code), CONTINUITY])
 LEGEND = Kind("choice|file", legends.names)
-RANKING = Kind("choice", lambda: methods.names("ranking"))
-RANKINGS = Kind("choices", lambda: methods.names("ranking"))
-SPREAD = Kind("choice", lambda: methods.names("spread"))
+RANKING = Kind("choice", lambda: plugins.names("ranking"))
+RANKINGS = Kind("choices", lambda: plugins.names("ranking"))
+SPREAD = Kind("choice", lambda: plugins.names("spread"))
 NEW_RASTER = NewFile("new-raster")
 NEW_TABLE = NewFile("new-table")
 NEW_VECTOR = NewFile("new-vector")

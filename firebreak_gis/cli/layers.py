@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from firebreak_gis import methods
+from firebreak_gis import plugins
 from firebreak_gis.cli import parsing
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
@@ -94,7 +94,7 @@ def spread_params(given: Mapping[str, Any], grid: Grid) -> dict[str, Any]:
     from firebreak_gis.landscape.planes import moisture_plane, wind_planes
 
     params = parsing.pairs(given["model_params"], "--model-param")
-    known = {p["name"] for p in methods.describe("spread", given["model"])["parameters"]}
+    known = {p["name"] for p in plugins.describe("spread", given["model"])["parameters"]}
     values = weather(given)
     speed, direction = wind_planes(values["wind_speed"], values["wind_from"], grid)
     planes = {"wind_speed": speed, "wind_from": direction, "moisture": moisture_plane(values["moisture"], grid)}
@@ -109,7 +109,7 @@ def weather(given: Mapping[str, Any]) -> dict[str, float | str]:
     ParameterError
         If a word is neither, or the spread model does not know what an option gives.
     """
-    known = {p["name"] for p in methods.describe("spread", given["model"])["parameters"]}
+    known = {p["name"] for p in plugins.describe("spread", given["model"])["parameters"]}
     values = {option: _number_or_path(given[option]) for option in WEATHER}
     for option, name in WEATHER.items():
         if name not in known and values[option] != 0.0:
@@ -137,8 +137,8 @@ def checked_fires(given: Mapping[str, Any], network: SpreadNetwork) -> dict[str,
     ParameterError
         If a number is impossible.
     """
-    from firebreak_gis.ignitions import resolve_ignitions
     from firebreak_gis.landscape.planes import ignition_source
+    from firebreak_gis.simulation.ignitions import resolve_ignitions
 
     ignitions = ignition_source(given["ignitions"], network.grid)
     mode, n_runs, seed = given["ignition_mode"], given["n_runs"], given["seed"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from firebreak_gis import methods
+from firebreak_gis import plugins
 from firebreak_gis.errors import ParameterError
 
 
@@ -33,7 +33,7 @@ def methods_list(text: str) -> list[tuple[str, str, dict[str, Any]]]:
     result = []
     for word in filter(None, (w.strip() for w in text.split(","))):
         name, *params = word.split(":")
-        methods.load("ranking", name)
+        plugins.load("ranking", name)
         result.append((word, name, pairs(tuple(params), "--methods")))
     labels = [label for label, _, _ in result]
     if not result or len(set(labels)) != len(labels):

@@ -8,7 +8,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from firebreak_gis import memory, methods
+from firebreak_gis import memory, plugins
 from firebreak_gis.cli import parsing
 from firebreak_gis.cli.layers import LAYERS, WEATHER, grid_options, weather
 from firebreak_gis.cli.session import Session
@@ -113,11 +113,11 @@ def require_possible(given: Mapping[str, Any]) -> None:
     checked_residual(given["residual"])
     if given["budget_unit"] == "share":
         cells_to_cut(given["budget"], 1)
-    methods.build_params(methods.load("ranking", given["method"]), given["method_params"])
+    plugins.build_params(plugins.load("ranking", given["method"]), given["method_params"])
     numbers = {WEATHER[option]: value for option, value in weather(given).items() if isinstance(value, float)}
-    model = methods.load("spread", given["model"])
+    model = plugins.load("spread", given["model"])
     known = {f.name for f in fields(model.Params)}
-    methods.build_params(model, {k: v for k, v in numbers.items() if k in known} | dict(given["model_params"]))
+    plugins.build_params(model, {k: v for k, v in numbers.items() if k in known} | dict(given["model_params"]))
     for option in ("ignitions", "barriers", "protected", "allowed", "values"):
         name = given[option]
         if name and not Path(file_of(name)).exists():

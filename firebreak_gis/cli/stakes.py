@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.grid import Grid
     from firebreak_gis.network import SpreadNetwork
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -91,8 +91,8 @@ def read_stakes(grid: Grid, given: Mapping[str, Any], *, landscape: xr.Dataset |
     ParameterError, InputError
         Naming everything that cannot be read.
     """
-    from firebreak_gis.feasibility import raise_together
     from firebreak_gis.landscape.planes import ignition_source, mask_plane, value_plane
+    from firebreak_gis.planning.feasibility import raise_together
 
     readers: dict[str, Callable[[str], Any]] = {
         "barriers": lambda source: mask_plane(source, grid, what="barriers"),
@@ -119,15 +119,15 @@ def read_stakes(grid: Grid, given: Mapping[str, Any], *, landscape: xr.Dataset |
     return {{"values": "value", "ignitions": "ignition"}.get(name, name): plane for name, plane in planes.items()}
 
 
-def network_and_setting(network: SpreadNetwork, given: Mapping[str, Any]) -> tuple[SpreadNetwork, Setting]:
-    """Put the barriers into the network and the rest into a `Setting`."""
-    from firebreak_gis.setting import Setting, with_barriers
+def network_and_stakes(network: SpreadNetwork, given: Mapping[str, Any]) -> tuple[SpreadNetwork, Stakes]:
+    """Put the barriers into the network and the rest into a `Stakes`."""
+    from firebreak_gis.stakes import Stakes, with_barriers
 
     planes = read_stakes(network.grid, given)
     barriers = planes.pop("barriers", None)
     if barriers is not None:
         network = with_barriers(network, barriers)
-    return network, Setting(network, **planes)
+    return network, Stakes(network, **planes)
 
 
 def _cost(source: str, field: str | None, grid: Grid, landscape: xr.Dataset | None) -> np.ndarray:

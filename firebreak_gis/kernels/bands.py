@@ -11,7 +11,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from types import TracebackType
 
-from firebreak_gis.workers import thread_count
+from firebreak_gis.threads import thread_count
 
 #: Fewer cells than this are not worth a second thread.
 SMALL = 200_000

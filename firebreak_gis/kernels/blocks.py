@@ -60,9 +60,11 @@ def factorise(matrix: sp.csr_array, shift: float) -> SuperLU:
     """Factors of shift * I - A. For a shift above the radius pivots on the diagonal are safe."""
     identity = sp.eye_array(matrix.shape[0], format="csc")
     return splu(
-        (shift * identity - matrix).tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
+        (shift * identity - matrix).tocsc(),
+        permc_spec="MMD_AT_PLUS_A",
+        diag_pivot_thresh=0.0,
         options={"SymmetricMode": True},
-    )  # fmt: skip
+    )
 
 
 def block_bounds(matrix: sp.csr_array, tolerance: float, *, guess: float = 0.0) -> Block:

@@ -20,7 +20,7 @@ import numpy as np
 from firebreak_gis.kernels.draws import stream_key, uniforms
 from firebreak_gis.kernels.paths import UNIT, Lattice, Workspace, betweenness_batch, distance_batch, lattice
 from firebreak_gis.progress import Progress, silent
-from firebreak_gis.workers import thread_count
+from firebreak_gis.threads import thread_count
 
 T = TypeVar("T")
 

@@ -233,9 +233,17 @@ def _raise(
         waiting[open_cells] = 1
         # Raised a little further than needed, so that the last digits come to rest.
         left = _relax(
-            operator.probability, weights, x, queue, waiting, open_cells.size, aim * (1.0 - 1e-12),
-            aim * (1.0 - ROUNDING), operator.periodic, _VISITS + x.size // 2,
-        )  # fmt: skip
+            operator.probability,
+            weights,
+            x,
+            queue,
+            waiting,
+            open_cells.size,
+            aim * (1.0 - 1e-12),
+            aim * (1.0 - ROUNDING),
+            operator.periodic,
+            _VISITS + x.size // 2,
+        )
         if left == 0:
             continue
         waiting[:] = 0
@@ -281,10 +289,17 @@ def _solve_window(operator: Operator, x: np.ndarray, centre: tuple[int, int], ha
 
 @kernel
 def _relax(
-    probability: np.ndarray, weights: np.ndarray, x: np.ndarray, queue: np.ndarray,
-    waiting: np.ndarray, n_open: int, to: float,
-    above: float, periodic: bool, limit: int,
-) -> int:  # fmt: skip
+    probability: np.ndarray,
+    weights: np.ndarray,
+    x: np.ndarray,
+    queue: np.ndarray,
+    waiting: np.ndarray,
+    n_open: int,
+    to: float,
+    above: float,
+    periodic: bool,
+    limit: int,
+) -> int:
     """Raise x cell by cell, first come first served, where A x > `above` * x; returns the cells left open."""
     rows, cols = x.shape
     size = queue.size

@@ -36,8 +36,16 @@ def _neighbour(cell: int, d: int, steps: Steps) -> int:
 
 @kernel
 def downstream(
-    thresholds: Thresholds, leaks: Thresholds, keys: np.ndarray, steps: Steps, cells: np.ndarray, alive: np.ndarray,
-    value: np.ndarray, first: int, last: int, gain: np.ndarray,
+    thresholds: Thresholds,
+    leaks: Thresholds,
+    keys: np.ndarray,
+    steps: Steps,
+    cells: np.ndarray,
+    alive: np.ndarray,
+    value: np.ndarray,
+    first: int,
+    last: int,
+    gain: np.ndarray,
 ) -> float:
     """Value of each cell and of all that it lit, directly or not, in runs `first` .. `last - 1`.
 
@@ -85,8 +93,16 @@ def downstream(
 
 @kernel
 def dominated(
-    thresholds: Thresholds, leaks: Thresholds, keys: np.ndarray, steps: Steps, cells: np.ndarray, alive: np.ndarray,
-    value: np.ndarray, first: int, last: int, gain: np.ndarray,
+    thresholds: Thresholds,
+    leaks: Thresholds,
+    keys: np.ndarray,
+    steps: Steps,
+    cells: np.ndarray,
+    alive: np.ndarray,
+    value: np.ndarray,
+    first: int,
+    last: int,
+    gain: np.ndarray,
 ) -> float:
     """Value that would not burn without the cell in runs `first` .. `last - 1`: exactly what cutting it saves.
 
@@ -150,9 +166,7 @@ def dominated(
 
 
 @kernel
-def _enters(
-    cell: int, i: int, steps: Steps, number: np.ndarray, leaking: np.ndarray, dominator: np.ndarray
-) -> bool:
+def _enters(cell: int, i: int, steps: Steps, number: np.ndarray, leaking: np.ndarray, dominator: np.ndarray) -> bool:
     """Whether fire enters the cell, the i-th of its run, though it is cut, from one that burns without it."""
     for d in range(8):
         other = _neighbour(cell, d, steps)
@@ -167,8 +181,17 @@ def _enters(
 
 @kernel
 def _depth_first(
-    thresholds: Thresholds, leaks: Thresholds, key: np.uint64, steps: Steps, start: int, alive: np.ndarray,
-    number: np.ndarray, opened: np.ndarray, leaking: np.ndarray, vertex: np.ndarray, parent: np.ndarray,
+    thresholds: Thresholds,
+    leaks: Thresholds,
+    key: np.uint64,
+    steps: Steps,
+    start: int,
+    alive: np.ndarray,
+    number: np.ndarray,
+    opened: np.ndarray,
+    leaking: np.ndarray,
+    vertex: np.ndarray,
+    parent: np.ndarray,
     stack: np.ndarray,
 ) -> int:
     """Number the cells that burn in depth-first order; how many burn. `parent` holds numbers, 0 for the first."""
@@ -223,9 +246,7 @@ def _open_bits(
 
 
 @kernel
-def _lowest(
-    v: int, linked: int, ancestor: np.ndarray, semi: np.ndarray, label: np.ndarray, stack: np.ndarray
-) -> int:
+def _lowest(v: int, linked: int, ancestor: np.ndarray, semi: np.ndarray, label: np.ndarray, stack: np.ndarray) -> int:
     """Cell of the smallest semidominator between `v` and the root of its tree of cells numbered `linked` or more."""
     if ancestor[v] < linked:
         return label[v]
@@ -250,8 +271,17 @@ def _lowest(
 
 @kernel
 def reopened(
-    thresholds: Thresholds, leaks: Thresholds, keys: np.ndarray, steps: Steps, cells: np.ndarray, alive: np.ndarray,
-    value: np.ndarray, first: int, last: int, enough: float, loss: np.ndarray,
+    thresholds: Thresholds,
+    leaks: Thresholds,
+    keys: np.ndarray,
+    steps: Steps,
+    cells: np.ndarray,
+    alive: np.ndarray,
+    value: np.ndarray,
+    first: int,
+    last: int,
+    enough: float,
+    loss: np.ndarray,
 ) -> None:
     """Value that burns in addition if one cut cell is left uncut, in runs `first` .. `last - 1`.
 
@@ -311,8 +341,17 @@ def reopened(
 
 @kernel
 def _added(
-    thresholds: Thresholds, leaks: Thresholds, key: np.uint64, steps: Steps, start: int, alive: np.ndarray,
-    stamp: np.ndarray, burning: np.int32, mark: np.int32, queue: np.ndarray, value: np.ndarray,
+    thresholds: Thresholds,
+    leaks: Thresholds,
+    key: np.uint64,
+    steps: Steps,
+    start: int,
+    alive: np.ndarray,
+    stamp: np.ndarray,
+    burning: np.int32,
+    mark: np.int32,
+    queue: np.ndarray,
+    value: np.ndarray,
 ) -> float:
     """Value of what burns from `start` and does not burn yet."""
     queue[0] = start

@@ -307,10 +307,23 @@ def _times(weights: np.ndarray | None, factor: float, p: np.float32) -> float:
 
 @inlined
 def _sum_out(
-    weights: np.ndarray | None, f: tuple[float, ...], n: np.ndarray, ne: np.ndarray, e: np.ndarray, se: np.ndarray,
-    s: np.ndarray, sw: np.ndarray, w: np.ndarray, nw: np.ndarray, up: np.ndarray, at: np.ndarray, down: np.ndarray,
-    left: int, c: int, right: int,
-) -> float:  # fmt: skip
+    weights: np.ndarray | None,
+    f: tuple[float, ...],
+    n: np.ndarray,
+    ne: np.ndarray,
+    e: np.ndarray,
+    se: np.ndarray,
+    s: np.ndarray,
+    sw: np.ndarray,
+    w: np.ndarray,
+    nw: np.ndarray,
+    up: np.ndarray,
+    at: np.ndarray,
+    down: np.ndarray,
+    left: int,
+    c: int,
+    right: int,
+) -> float:
     """One cell of A x."""
     upright = _times(weights, f[0], n[c]) * up[c] + _times(weights, f[4], s[c]) * down[c]
     level = _times(weights, f[2], e[c]) * at[right] + _times(weights, f[6], w[c]) * at[left]
@@ -321,10 +334,23 @@ def _sum_out(
 
 @inlined
 def _sum_in(
-    weights: np.ndarray | None, f: tuple[float, ...], n: np.ndarray, ne: np.ndarray, e: np.ndarray, se: np.ndarray,
-    s: np.ndarray, sw: np.ndarray, w: np.ndarray, nw: np.ndarray, up: np.ndarray, at: np.ndarray, down: np.ndarray,
-    left: int, c: int, right: int,
-) -> float:  # fmt: skip
+    weights: np.ndarray | None,
+    f: tuple[float, ...],
+    n: np.ndarray,
+    ne: np.ndarray,
+    e: np.ndarray,
+    se: np.ndarray,
+    s: np.ndarray,
+    sw: np.ndarray,
+    w: np.ndarray,
+    nw: np.ndarray,
+    up: np.ndarray,
+    at: np.ndarray,
+    down: np.ndarray,
+    left: int,
+    c: int,
+    right: int,
+) -> float:
     """One cell of A^T x; every plane at the row that it comes from."""
     upright = _times(weights, f[0], n[c]) * down[c] + _times(weights, f[4], s[c]) * up[c]
     level = _times(weights, f[2], e[left]) * at[left] + _times(weights, f[6], w[right]) * at[right]
@@ -335,9 +361,15 @@ def _sum_in(
 
 @kernel
 def _rows_out(
-    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, scale: float, weights: np.ndarray | None,
-    first: int, stop: int,
-) -> None:  # fmt: skip
+    probability: np.ndarray,
+    x: np.ndarray,
+    y: np.ndarray,
+    shift: float,
+    scale: float,
+    weights: np.ndarray | None,
+    first: int,
+    stop: int,
+) -> None:
     rows, cols = x.shape
     end = cols - 1
     f = _factors(weights)
@@ -357,9 +389,15 @@ def _rows_out(
 
 @kernel
 def _rows_in(
-    probability: np.ndarray, x: np.ndarray, y: np.ndarray, shift: float, scale: float, weights: np.ndarray | None,
-    first: int, stop: int,
-) -> None:  # fmt: skip
+    probability: np.ndarray,
+    x: np.ndarray,
+    y: np.ndarray,
+    shift: float,
+    scale: float,
+    weights: np.ndarray | None,
+    first: int,
+    stop: int,
+) -> None:
     rows, cols = x.shape
     end = cols - 1
     f = _factors(weights)

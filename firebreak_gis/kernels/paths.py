@@ -169,9 +169,18 @@ class Workspace:
 
 @kernel
 def search(
-    source: np.uint64, lengths: np.ndarray, absent: np.uint64, offset: np.ndarray, home: np.ndarray, shift: np.uint64,
-    distance: np.ndarray, came_from: np.ndarray, order: np.ndarray, head: np.ndarray, entry: np.ndarray,
-) -> tuple[int, bool]:  # fmt: skip
+    source: np.uint64,
+    lengths: np.ndarray,
+    absent: np.uint64,
+    offset: np.ndarray,
+    home: np.ndarray,
+    shift: np.uint64,
+    distance: np.ndarray,
+    came_from: np.ndarray,
+    order: np.ndarray,
+    head: np.ndarray,
+    entry: np.ndarray,
+) -> tuple[int, bool]:
     """Settle all cells that `source` reaches.
 
     `distance` must be `UNREACHED` everywhere and `head` empty (it is left empty). Fills `order` (cells by bucket),
@@ -282,9 +291,14 @@ def search(
 
 @kernel
 def count_paths(
-    count: int, offset: np.ndarray, home: np.ndarray, paths: np.ndarray, exponent: np.ndarray,
-    came_from: np.ndarray, order: np.ndarray,
-) -> None:  # fmt: skip
+    count: int,
+    offset: np.ndarray,
+    home: np.ndarray,
+    paths: np.ndarray,
+    exponent: np.ndarray,
+    came_from: np.ndarray,
+    order: np.ndarray,
+) -> None:
     """Number of shortest paths from the last source to every cell: `paths` * 2**(512 * `exponent`)."""
     periodic = home.size > 0
     paths[order[0]], exponent[order[0]] = 1.0, 0
@@ -313,9 +327,16 @@ def count_paths(
 
 @kernel
 def add_dependencies(
-    count: int, offset: np.ndarray, home: np.ndarray, paths: np.ndarray, exponent: np.ndarray,
-    came_from: np.ndarray, order: np.ndarray, dependency: np.ndarray, total: np.ndarray,
-) -> None:  # fmt: skip
+    count: int,
+    offset: np.ndarray,
+    home: np.ndarray,
+    paths: np.ndarray,
+    exponent: np.ndarray,
+    came_from: np.ndarray,
+    order: np.ndarray,
+    dependency: np.ndarray,
+    total: np.ndarray,
+) -> None:
     """Add to `total`, for every cell, the share of shortest paths from the last source that pass through it."""
     periodic = home.size > 0
     for i in range(count - 1, 0, -1):
@@ -340,9 +361,14 @@ def add_dependencies(
 
 @kernel
 def add_tree_dependencies(
-    count: int, offset: np.ndarray, home: np.ndarray, came_from: np.ndarray, order: np.ndarray,
-    dependency: np.ndarray, total: np.ndarray,
-) -> None:  # fmt: skip
+    count: int,
+    offset: np.ndarray,
+    home: np.ndarray,
+    came_from: np.ndarray,
+    order: np.ndarray,
+    dependency: np.ndarray,
+    total: np.ndarray,
+) -> None:
     """Do as `add_dependencies` where every cell is reached by one shortest path."""
     periodic = home.size > 0
     for i in range(count - 1, 0, -1):
@@ -359,10 +385,22 @@ def add_tree_dependencies(
 
 @kernel
 def betweenness_batch(
-    sources: np.ndarray, lengths: np.ndarray, absent: np.uint64, offset: np.ndarray, home: np.ndarray,
-    shift: np.uint64, distance: np.ndarray, came_from: np.ndarray, order: np.ndarray, head: np.ndarray,
-    entry: np.ndarray, paths: np.ndarray, exponent: np.ndarray, dependency: np.ndarray, total: np.ndarray,
-) -> None:  # fmt: skip
+    sources: np.ndarray,
+    lengths: np.ndarray,
+    absent: np.uint64,
+    offset: np.ndarray,
+    home: np.ndarray,
+    shift: np.uint64,
+    distance: np.ndarray,
+    came_from: np.ndarray,
+    order: np.ndarray,
+    head: np.ndarray,
+    entry: np.ndarray,
+    paths: np.ndarray,
+    exponent: np.ndarray,
+    dependency: np.ndarray,
+    total: np.ndarray,
+) -> None:
     """Write to `total`, for every cell, the dependencies of all `sources` on it; `dependency` is 0 before and after."""
     total[:] = 0.0
     for source in sources:
@@ -379,10 +417,20 @@ def betweenness_batch(
 
 @kernel
 def distance_batch(
-    sources: np.ndarray, lengths: np.ndarray, absent: np.uint64, offset: np.ndarray, home: np.ndarray,
-    shift: np.uint64, distance: np.ndarray, came_from: np.ndarray, order: np.ndarray, head: np.ndarray,
-    entry: np.ndarray, sums: np.ndarray, reached: np.ndarray,
-) -> None:  # fmt: skip
+    sources: np.ndarray,
+    lengths: np.ndarray,
+    absent: np.uint64,
+    offset: np.ndarray,
+    home: np.ndarray,
+    shift: np.uint64,
+    distance: np.ndarray,
+    came_from: np.ndarray,
+    order: np.ndarray,
+    head: np.ndarray,
+    entry: np.ndarray,
+    sums: np.ndarray,
+    reached: np.ndarray,
+) -> None:
     """Write, for every source, the sum of distances (units) to the cells that it reaches, and their number."""
     for k in range(sources.size):
         distance[:] = UNREACHED

@@ -30,7 +30,11 @@ def uphill_area(height: np.ndarray) -> np.ndarray:
 
 @kernel
 def _climb(
-    height: np.ndarray, order: np.ndarray, row_step: np.ndarray, col_step: np.ndarray, length: np.ndarray,
+    height: np.ndarray,
+    order: np.ndarray,
+    row_step: np.ndarray,
+    col_step: np.ndarray,
+    length: np.ndarray,
     area: np.ndarray,
 ) -> None:
     rows, cols = height.shape

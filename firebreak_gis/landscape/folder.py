@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.errors import InputError, OutputError
 from firebreak_gis.files import make_folder, remove_file, require_writable, together
+from firebreak_gis.files.commit import unfinished
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.fuel import LAYERS, burnable_cells
-from firebreak_gis.moving import unfinished
 from firebreak_gis.rasters import read_variable, write_raster
 from firebreak_gis.schema import annotate, validate
 

@@ -11,8 +11,8 @@ import numpy as np
 from firebreak_gis.errors import LegendError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.continuity import CONTINUITY, continuity
+from firebreak_gis.landscape.legends import Legend
 from firebreak_gis.landscape.target_grid import Account
-from firebreak_gis.legends import Legend
 from firebreak_gis.schema import DENSITY
 
 #: What every landscape holds.

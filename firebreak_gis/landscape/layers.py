@@ -9,8 +9,8 @@ import numpy as np
 from firebreak_gis.errors import InputError, LegendError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.alignment import align_classes, align_values
+from firebreak_gis.landscape.legends import Legend
 from firebreak_gis.landscape.target_grid import Account
-from firebreak_gis.legends import Legend
 from firebreak_gis.rasters import Header
 
 #: Metres per unit, by the words that files use.

@@ -12,9 +12,9 @@ from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.fuel import Fuel, burnable_cells, fuel_of
 from firebreak_gis.landscape.layers import codes_on, elevation_on
+from firebreak_gis.landscape.legends import Legend
 from firebreak_gis.landscape.surveying import survey
 from firebreak_gis.landscape.target_grid import Account
-from firebreak_gis.legends import Legend
 from firebreak_gis.memory import require_memory
 from firebreak_gis.progress import Progress, silent
 from firebreak_gis.schema import annotate
@@ -109,9 +109,21 @@ def read_landscape(
     if unknown not in ("refuse", "nonburnable"):
         raise ParameterError(f"unknown is {unknown!r}, expected refuse or nonburnable")
     found = survey(
-        dem, vegetation, density, legend=legend, density_legend=density_legend, crs=crs, resolution=resolution,
-        bounds=bounds, like=like, src_crs=src_crs, src_nodata=src_nodata, band=band, strict=strict, remote=remote,
-    )  # fmt: skip
+        dem,
+        vegetation,
+        density,
+        legend=legend,
+        density_legend=density_legend,
+        crs=crs,
+        resolution=resolution,
+        bounds=bounds,
+        like=like,
+        src_crs=src_crs,
+        src_nodata=src_nodata,
+        band=band,
+        strict=strict,
+        remote=remote,
+    )
     layers, grid, account = found.layers, found.grid, found.account
     require_memory(found.memory, f"a landscape of {grid.shape[0]} x {grid.shape[1]} cells", max_memory=max_memory)
 

@@ -12,9 +12,9 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.alignment import plan
 from firebreak_gis.landscape.continuity import CONTINUITY
 from firebreak_gis.landscape.flammap import LandscapeFile, read_landscape_file
+from firebreak_gis.landscape.legends import Legend, read_legend
 from firebreak_gis.landscape.resampling import BLOCK
 from firebreak_gis.landscape.target_grid import Account, choose_grid
-from firebreak_gis.legends import Legend, read_legend
 from firebreak_gis.rasters import Header, header_of_array, read_header, with_crs
 from firebreak_gis.schema import DENSITY
 

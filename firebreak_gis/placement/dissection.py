@@ -19,12 +19,12 @@ from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, patch_links, pieces
 from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
 from firebreak_gis.network import neighbour
 from firebreak_gis.placement.widening import wall_cost
-from firebreak_gis.workers import run_pieces
+from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Compartments with more cells are searched in one direction a piece of work, so that all threads are busy.
 _LARGE = 20_000
@@ -45,7 +45,7 @@ class Cut:
     cells
         (n,) int64 row-major numbers of the cells of the wall, along it.
     cost
-        Cost of cutting them, in the unit of the setting.
+        Cost of cutting them, in the unit of the stakes.
     saved
         Expected loss that the wall saves once its parents stand, as a share of (ignition mass x value mass) of the
         whole landscape.
@@ -98,9 +98,14 @@ class _Patches:
         mask = np.zeros(cells.size, np.uint8)
         near = self.near(cells)
         score, _ = best_cut(
-            near, self.capacity[cells], self.ignition[cells], self.value[cells],
-            self.orders(cells, directions), self.shares, mask,
-        )  # fmt: skip
+            near,
+            self.capacity[cells],
+            self.ignition[cells],
+            self.value[cells],
+            self.orders(cells, directions),
+            self.shares,
+            mask,
+        )
         thin(near, mask)
         return score, mask
 
@@ -131,7 +136,7 @@ def _lit(network: SpreadNetwork) -> np.ndarray:
     return total / np.maximum(count, 1.0)
 
 
-def capacities(network: SpreadNetwork, setting: Setting, width: int = 1, *, leaky: bool = False) -> np.ndarray:
+def capacities(network: SpreadNetwork, stakes: Stakes, width: int = 1, *, leaky: bool = False) -> np.ndarray:
     """Whole-number cutting costs for the flow, (rows, cols) int32; `UNCUTTABLE` where protected.
 
     With a width they are the cost of the cell and its share of the wall around it. Where breaks leak, they grow with
@@ -139,11 +144,11 @@ def capacities(network: SpreadNetwork, setting: Setting, width: int = 1, *, leak
 
     Equal costs become 1; others keep the resolution that the sum of all allows, at most a thousandth of the median.
     """
-    own = np.where(setting.protected, 0.0, setting.cost)
+    own = np.where(stakes.protected, 0.0, stakes.cost)
     if leaky:
         passed = _lit(network) ** width
         own = own * (1.0 + _LEAK_WEIGHT * passed / max(float(passed[network.burnable].mean()), 1e-300))
-    cost = np.where(network.burnable & ~setting.protected, wall_cost(own, width, network.boundary), 0.0)
+    cost = np.where(network.burnable & ~stakes.protected, wall_cost(own, width, network.boundary), 0.0)
     positive = cost[cost > 0]
     scale = 1.0
     if positive.size:
@@ -151,13 +156,13 @@ def capacities(network: SpreadNetwork, setting: Setting, width: int = 1, *, leak
         if positive.min() < positive.max():
             scale = min(1000.0 / float(np.median(positive)), _COST_RANGE / float(positive.sum()))
     whole = np.where(cost > 0, np.maximum(np.rint(cost * scale), 1.0), 0.0).astype(np.int32)
-    whole[setting.protected] = UNCUTTABLE
+    whole[stakes.protected] = UNCUTTABLE
     return whole
 
 
 def dissect(
     network: SpreadNetwork,
-    setting: Setting,
+    stakes: Stakes,
     *,
     width: int = 1,
     leaky: bool = False,
@@ -171,7 +176,7 @@ def dissect(
 
     Parameters
     ----------
-    network, setting
+    network, stakes
         What is planned for. Protected cells are in no wall; cells without fuel cost nothing.
     width
         Cells across a wall, see `widening`; the walls returned are lines one cell wide.
@@ -197,13 +202,18 @@ def dissect(
     -----
     Cost: about n ** 1.35, 8 s for 172,000 cells on two cores; memory about 200 B a cell and thread.
     """
-    ignition, value = setting.ignition.ravel(), setting.value.ravel()
+    ignition, value = stakes.ignition.ravel(), stakes.value.ravel()
     patches = _Patches(
-        network.shape, links(network).ravel(), capacities(network, setting, width, leaky=leaky).ravel(),
-        setting.cost.ravel(),
-        ignition / max(ignition.sum(), 1e-300), value / max(value.sum(), 1e-300), directions, np.asarray(shares),
+        network.shape,
+        links(network).ravel(),
+        capacities(network, stakes, width, leaky=leaky).ravel(),
+        stakes.cost.ravel(),
+        ignition / max(ignition.sum(), 1e-300),
+        value / max(value.sum(), 1e-300),
+        directions,
+        np.asarray(shares),
         network.boundary == "periodic",
-    )  # fmt: skip
+    )
     fuel = np.flatnonzero(network.burnable.ravel())
     waiting = [(cells, -1) for cells in _pieces(patches, fuel, np.zeros(fuel.size, np.uint8))]
     cuts: list[Cut] = []
@@ -213,9 +223,11 @@ def dissect(
         share = 1.0 - left / max(total, 1.0)
         left = sum(_work(cells.size / 2, smallest) for cells, _ in waiting)
         masks = _cut_all(
-            patches, [cells for cells, _ in waiting], threads=threads,
+            patches,
+            [cells for cells, _ in waiting],
+            threads=threads,
             progress=_scaled(progress, share, 1.0 - left / max(total, 1.0), f"{len(cuts)} walls"),
-        )  # fmt: skip
+        )
         children = []
         for (cells, parent), mask in zip(waiting, masks, strict=True):
             if mask.any():
@@ -335,14 +347,14 @@ def sequence(saved: Sequence[float], cost: Sequence[float], parent: Sequence[int
     return [i for group in sorted(roots) for i in group[4]]
 
 
-def lines_first(lines: Sequence[np.ndarray], setting: Setting, score: np.ndarray) -> np.ndarray:
+def lines_first(lines: Sequence[np.ndarray], stakes: Stakes, score: np.ndarray) -> np.ndarray:
     """Priority that cuts the cells of `lines` in their order, then all others by falling `score`.
 
     Parameters
     ----------
     lines
         Row-major cell numbers; a cell counts where it comes first.
-    setting
+    stakes
         Gives the protected cells, which get -inf.
     score
         (rows, cols) rank of all other cells.
@@ -359,5 +371,5 @@ def lines_first(lines: Sequence[np.ndarray], setting: Setting, score: np.ndarray
     _, rank = np.unique(flat, return_inverse=True)
     priority = rank.astype(np.float64)
     priority[cells] = rank.max(initial=0) + np.arange(cells.size, 0, -1.0)
-    priority[setting.protected.ravel()] = -np.inf
+    priority[stakes.protected.ravel()] = -np.inf
     return priority.reshape(score.shape)

@@ -9,14 +9,14 @@ import numpy as np
 
 from firebreak_gis.kernels.draws import Thresholds, run_keys, stream_key, thresholds, uniforms
 from firebreak_gis.kernels.percolation import Steps, burn_runs, steps
-from firebreak_gis.workers import run_pieces
+from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Pieces into which runs are split; fixed, so that sums have one order for any number of threads.
 PIECES = 8
@@ -51,26 +51,27 @@ class Fires:
     grid_steps: Steps
 
 
-def design_fires(
-    network: SpreadNetwork, setting: Setting, *, n_runs: int, seed: int, residual: float = 0.0
-) -> Fires:
-    """Draw the fires that a plan is designed with, ignitions by their weights in `setting`.
+def design_fires(network: SpreadNetwork, stakes: Stakes, *, n_runs: int, seed: int, residual: float = 0.0) -> Fires:
+    """Draw the fires that a plan is designed with, ignitions by their weights in `stakes`.
 
     The n-th fire starts in the n-th of `n_runs` equal shares of the ignition weights (systematic sampling), which
     takes much of the noise out of means. `residual` is the share of its spread probability that an edge into a cut
     cell keeps.
     """
-    cumulative = np.cumsum(setting.ignition.ravel())
+    cumulative = np.cumsum(stakes.ignition.ravel())
     start = uniforms(stream_key(seed + _DESIGN, "ignitions"), 1)
     cells = np.searchsorted(cumulative, (np.arange(n_runs) + start) / n_runs * cumulative[-1], side="right")
-    last = int(np.flatnonzero(setting.ignition.ravel())[-1])
+    last = int(np.flatnonzero(stakes.ignition.ravel())[-1])
     leaks = Thresholds(np.zeros(0, np.uint64), np.zeros((0, 3), np.uint64))
     if residual > 0.0:
         leaks = thresholds(network.probability * np.float32(residual))
     return Fires(
-        thresholds(network.probability), leaks, run_keys(seed + _DESIGN, "edges", n_runs), np.minimum(cells, last),
+        thresholds(network.probability),
+        leaks,
+        run_keys(seed + _DESIGN, "edges", n_runs),
+        np.minimum(cells, last),
         steps(network.shape, periodic=network.boundary == "periodic"),
-    )  # fmt: skip
+    )
 
 
 def pieces(n_runs: int) -> list[tuple[int, int]]:
@@ -93,8 +94,14 @@ def burn_pieces(
 
 
 def losses(
-    network: SpreadNetwork, setting: Setting, cut: np.ndarray, fires: Fires, *, residual: float = 0.0,
-    threads: int | None = None, progress: Progress,
+    network: SpreadNetwork,
+    stakes: Stakes,
+    cut: np.ndarray,
+    fires: Fires,
+    *,
+    residual: float = 0.0,
+    threads: int | None = None,
+    progress: Progress,
 ) -> np.ndarray:
     """Share of all value that is lost in each fire, with breaks.
 
@@ -115,14 +122,23 @@ def losses(
     limits = thresholds(network.treated(cut, residual=residual).probability)
     lost = np.zeros(n_runs)
     sizes = np.zeros(n_runs, np.int64)
-    value = setting.value.ravel()
+    value = stakes.value.ravel()
 
     def burn(piece: tuple[int, int]) -> None:
         counts = np.zeros(value.size, np.uint32)
         burn_runs(
-            limits, fires.keys, fires.grid_steps, np.arange(n_runs + 1), cells, piece[0], piece[1], counts, sizes,
-            value, lost,
-        )  # fmt: skip
+            limits,
+            fires.keys,
+            fires.grid_steps,
+            np.arange(n_runs + 1),
+            cells,
+            piece[0],
+            piece[1],
+            counts,
+            sizes,
+            value,
+            lost,
+        )
 
     run_pieces(burn, pieces(n_runs), threads=threads, progress=progress, message="burning")
     share: np.ndarray = lost / value.sum()

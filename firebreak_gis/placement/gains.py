@@ -13,13 +13,18 @@ from firebreak_gis.placement.rounds import in_rounds
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
     Kernel = Callable[..., Any]
 
 
 def mean_gain(
-    kernel: Kernel, fires: Fires, alive: np.ndarray, value: np.ndarray, *, threads: int | None = None,
+    kernel: Kernel,
+    fires: Fires,
+    alive: np.ndarray,
+    value: np.ndarray,
+    *,
+    threads: int | None = None,
     progress: Progress,
 ) -> tuple[np.ndarray, float]:
     """Gain of cutting each cell, and the loss, in the mean over the fires.
@@ -53,7 +58,7 @@ def mean_gain(
 
 def by_gain(
     network: SpreadNetwork,
-    setting: Setting,
+    stakes: Stakes,
     kernel: Kernel,
     *,
     n_runs: int,
@@ -80,10 +85,10 @@ def by_gain(
     numpy.ndarray
         (rows, cols) float64.
     """
-    cost, value = setting.cost.ravel(), setting.value.ravel()
+    cost, value = stakes.cost.ravel(), stakes.value.ravel()
     if not network.burnable.any():
         return np.zeros(network.shape)
-    fires = design_fires(network, setting, n_runs=n_runs, seed=seed)
+    fires = design_fires(network, stakes, n_runs=n_runs, seed=seed)
     least = 1e-12 * float(cost.sum())
 
     def scores(alive: np.ndarray, step: Progress) -> np.ndarray | None:
@@ -91,6 +96,4 @@ def by_gain(
         # Only what can burn is ranked by what it saves; free cells come first.
         return gain / np.maximum(cost, max(least, 1e-300)) if lost > 0.0 else None
 
-    return in_rounds(
-        network, setting, scores, recompute_every=recompute_every, until=until, progress=progress
-    )
+    return in_rounds(network, stakes, scores, recompute_every=recompute_every, until=until, progress=progress)

@@ -10,7 +10,7 @@ import numpy as np
 
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.network import SpreadNetwork
-from firebreak_gis.setting import Setting
+from firebreak_gis.stakes import Stakes
 
 if TYPE_CHECKING:
     Turn = Callable[[np.ndarray], np.ndarray]
@@ -21,7 +21,7 @@ _SYMMETRIES = tuple((mirror, quarters) for mirror in (False, True) for quarters 
 
 
 def in_standard_orientation(
-    network: SpreadNetwork, setting: Setting, method: Callable[[SpreadNetwork, Setting, Turn], np.ndarray]
+    network: SpreadNetwork, stakes: Stakes, method: Callable[[SpreadNetwork, Stakes, Turn], np.ndarray]
 ) -> np.ndarray:
     """Call `method` on the map turned to its standard orientation and turn the answer back.
 
@@ -30,10 +30,10 @@ def in_standard_orientation(
 
     Parameters
     ----------
-    network, setting
+    network, stakes
         The landscape as it lies.
     method
-        Called as ``method(network, setting, turn)`` with the turned landscape; ``turn`` turns any other
+        Called as ``method(network, stakes, turn)`` with the turned landscape; ``turn`` turns any other
         (..., rows, cols) plane alike. Returns (rows, cols) of the turned map.
 
     Returns
@@ -41,27 +41,31 @@ def in_standard_orientation(
     numpy.ndarray
         (rows, cols) of the map as it lies.
     """
-    symmetry = min(_SYMMETRIES, key=lambda s: _digest(network, setting, s))
+    symmetry = min(_SYMMETRIES, key=lambda s: _digest(network, stakes, s))
     if symmetry == (False, 0):
-        return method(network, setting, _turn(symmetry))
+        return method(network, stakes, _turn(symmetry))
     turn = _turn(symmetry)
     turned = SpreadNetwork(
         np.stack([turn(network.probability[d]) for d in _directions(symmetry)]),
-        burnable=turn(network.burnable), boundary=network.boundary,
-    )  # fmt: skip
-    answer = method(turned, _turned_setting(turned, setting, turn), turn)
+        burnable=turn(network.burnable),
+        boundary=network.boundary,
+    )
+    answer = method(turned, _turned_setting(turned, stakes, turn), turn)
     mirror, quarters = symmetry
     back = np.rot90(answer, -quarters, axes=(-2, -1))
     return np.ascontiguousarray(back[..., ::-1] if mirror else back)
 
 
-def _turned_setting(turned: SpreadNetwork, setting: Setting, turn: Turn) -> Setting:
+def _turned_setting(turned: SpreadNetwork, stakes: Stakes, turn: Turn) -> Stakes:
     if not turned.burnable.any():
-        return Setting(turned)
-    return Setting(
-        turned, cost=turn(setting.cost), protected=turn(setting.protected), value=turn(setting.value),
-        ignition=turn(setting.ignition),
-    )  # fmt: skip
+        return Stakes(turned)
+    return Stakes(
+        turned,
+        cost=turn(stakes.cost),
+        protected=turn(stakes.protected),
+        value=turn(stakes.value),
+        ignition=turn(stakes.ignition),
+    )
 
 
 def _turn(symmetry: tuple[bool, int]) -> Turn:
@@ -85,10 +89,10 @@ def _directions(symmetry: tuple[bool, int]) -> list[int]:
     return before
 
 
-def _digest(network: SpreadNetwork, setting: Setting, symmetry: tuple[bool, int]) -> bytes:
+def _digest(network: SpreadNetwork, stakes: Stakes, symmetry: tuple[bool, int]) -> bytes:
     turn = _turn(symmetry)
     seen = hashlib.blake2b(repr(turn(network.burnable).shape).encode())
-    for plane in (network.burnable, setting.protected, setting.cost, setting.value, setting.ignition):
+    for plane in (network.burnable, stakes.protected, stakes.cost, stakes.value, stakes.ignition):
         seen.update(turn(plane).tobytes())
     for d in _directions(symmetry):
         seen.update(turn(network.probability[d]).tobytes())

@@ -15,7 +15,7 @@ from firebreak_gis.placement.dissection import along, lines_first, links
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Shifts of a pattern that are tried, as shares of its spacing.
 _SHIFTS = (0.0, 0.25, 0.5, 0.75)
@@ -26,17 +26,17 @@ class ExpectedLoss:
 
     Parameters
     ----------
-    network, setting
+    network, stakes
         What is planned for.
     """
 
-    def __init__(self, network: SpreadNetwork, setting: Setting) -> None:
+    def __init__(self, network: SpreadNetwork, stakes: Stakes) -> None:
         self._fuel = np.flatnonzero(network.burnable.ravel())
         self._near = patch_links(
             self._fuel, links(network).ravel(), *network.shape, np.array(ROW_STEP), np.array(COL_STEP)
         )
-        self._ignition = setting.ignition.ravel()[self._fuel]
-        self._value = setting.value.ravel()[self._fuel]
+        self._ignition = stakes.ignition.ravel()[self._fuel]
+        self._value = stakes.value.ravel()[self._fuel]
 
     def __call__(self, cut: np.ndarray) -> float:
         """Share of all value that a fire takes in the mean; `cut` is (rows, cols) bool."""
@@ -107,9 +107,7 @@ def bands(
     return place - number * spacing < thickness(azimuth, width) - 1e-9, number
 
 
-def stripes(
-    shape: tuple[int, int], azimuth: float, *, width: int, spacing: float, shift: float
-) -> list[np.ndarray]:
+def stripes(shape: tuple[int, int], azimuth: float, *, width: int, spacing: float, shift: float) -> list[np.ndarray]:
     """Cells of the bands across one heading, middle band first, each along itself."""
     inside, number = bands(shape, azimuth, width=width, spacing=spacing, shift=shift)
     cells = np.flatnonzero(inside.ravel())
@@ -131,7 +129,7 @@ def square_grid(
 
 def best_pattern(
     network: SpreadNetwork,
-    setting: Setting,
+    stakes: Stakes,
     draw: Callable[..., list[np.ndarray]],
     *,
     azimuths: Sequence[float],
@@ -161,7 +159,7 @@ def best_pattern(
     numpy.ndarray
         (rows, cols) float64; cells off the pattern come last, the nearest to it first.
     """
-    expected = ExpectedLoss(network, setting)
+    expected = ExpectedLoss(network, stakes)
     best: tuple[float, list[np.ndarray]] = (np.inf, [])
     tries = [(azimuth, shift) for azimuth in azimuths for shift in _SHIFTS]
     for i, (azimuth, shift) in enumerate(tries):
@@ -171,27 +169,27 @@ def best_pattern(
             lines = draw(network.shape, azimuth, width=width, spacing=start * 1.01**wider, shift=shift)
             cut = np.zeros(network.shape, bool)
             cut.ravel()[np.concatenate(lines)] = True
-            cut &= network.burnable & ~setting.protected
-            if setting.cost[cut].sum() <= budget * setting.cost.sum() * (1 + 1e-12):
+            cut &= network.burnable & ~stakes.protected
+            if stakes.cost[cut].sum() <= budget * stakes.cost.sum() * (1 + 1e-12):
                 break
         lost = expected(cut)
         if lost < best[0]:
             best = (lost, lines)
     progress(1.0, "pattern chosen")
-    return pattern_first(network, setting, best[1])
+    return pattern_first(network, stakes, best[1])
 
 
-def pattern_first(network: SpreadNetwork, setting: Setting, lines: Sequence[np.ndarray]) -> np.ndarray:
+def pattern_first(network: SpreadNetwork, stakes: Stakes, lines: Sequence[np.ndarray]) -> np.ndarray:
     """Priority that cuts a pattern line by line, then the cells nearest to it."""
     from scipy import ndimage
 
-    free = (network.burnable & ~setting.protected).ravel()
+    free = (network.burnable & ~stakes.protected).ravel()
     kept = [line[free[line]] for line in lines]
     drawn = np.zeros(network.shape, bool)
     if kept:
         drawn.ravel()[np.concatenate(kept)] = True
     distance = ndimage.distance_transform_edt(~drawn) if drawn.any() else np.zeros(network.shape)
-    return lines_first(kept, setting, -np.round(distance, 6))
+    return lines_first(kept, stakes, -np.round(distance, 6))
 
 
 def staggered_patches(

@@ -9,19 +9,19 @@ import numpy as np
 
 from firebreak_gis.placement.orientation import in_standard_orientation
 from firebreak_gis.progress import part
-from firebreak_gis.setting import with_barriers
+from firebreak_gis.stakes import with_barriers
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
     Scores = Callable[[np.ndarray, Progress], np.ndarray | None]
 
 
 def in_rounds(
     network: SpreadNetwork,
-    setting: Setting,
+    stakes: Stakes,
     scores: Scores,
     *,
     recompute_every: float,
@@ -45,9 +45,9 @@ def in_rounds(
     numpy.ndarray
         (rows, cols) float64: the order of removal, highest first. Ties fall to the cell first in (row, col).
     """
-    free = (network.burnable & ~setting.protected).ravel()
+    free = (network.burnable & ~stakes.protected).ravel()
     alive = network.burnable.ravel().copy()
-    cost = setting.cost.ravel()
+    cost = stakes.cost.ravel()
     budget = max(float(cost.sum()), 1e-300)
     last = np.zeros(alive.size)
     order: list[np.ndarray] = []
@@ -73,7 +73,7 @@ def in_rounds(
 
 def centrality_in_rounds(
     network: SpreadNetwork,
-    setting: Setting,
+    stakes: Stakes,
     centrality: Callable[[SpreadNetwork, Progress], np.ndarray],
     *,
     recompute_every: float,
@@ -92,15 +92,13 @@ def centrality_in_rounds(
     if recompute_every == 0.0 or not network.burnable.any():
         return centrality(network, progress)
 
-    def standard(network: SpreadNetwork, setting: Setting, _: object) -> np.ndarray:
+    def standard(network: SpreadNetwork, stakes: Stakes, _: object) -> np.ndarray:
         def scores(alive: np.ndarray, step: Progress) -> np.ndarray | None:
             if not alive.any():
                 return None
             cut = network.burnable & ~alive.reshape(network.shape)
             return centrality(with_barriers(network, cut), step).ravel()
 
-        return in_rounds(
-            network, setting, scores, recompute_every=recompute_every, until=until, progress=progress
-        )
+        return in_rounds(network, stakes, scores, recompute_every=recompute_every, until=until, progress=progress)
 
-    return in_standard_orientation(network, setting, standard)
+    return in_standard_orientation(network, stakes, standard)

@@ -13,7 +13,7 @@ from firebreak_gis.progress import part
 if TYPE_CHECKING:
     from firebreak_gis.network import Boundary, SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 
 def offsets(width: int) -> range:
@@ -75,7 +75,7 @@ def wall_cost(cost: np.ndarray, width: int, boundary: Boundary) -> np.ndarray:
 
 
 def walls(
-    lines: Sequence[np.ndarray], network: SpreadNetwork, setting: Setting, width: int
+    lines: Sequence[np.ndarray], network: SpreadNetwork, stakes: Stakes, width: int
 ) -> tuple[list[np.ndarray], list[float]]:
     """Widen lines one after another; a cell belongs to the first wall that needs it.
 
@@ -84,8 +84,8 @@ def walls(
     tuple
         The new cells of each wall (fuel that may be cut), and their cost.
     """
-    free = (network.burnable & ~setting.protected).ravel().copy()
-    cost = setting.cost.ravel()
+    free = (network.burnable & ~stakes.protected).ravel().copy()
+    cost = stakes.cost.ravel()
     cells, costs = [], []
     for line in lines:
         wall = around(line, network.shape, width, network.boundary)
@@ -96,20 +96,20 @@ def walls(
     return cells, costs
 
 
-def affordable(priority: np.ndarray, setting: Setting, budget: float) -> np.ndarray:
+def affordable(priority: np.ndarray, stakes: Stakes, budget: float) -> np.ndarray:
     """Cells that a share of the cost of all fuel buys, in order of priority, (rows, cols) bool."""
     flat = priority.ravel()
     order = np.argsort(-flat, kind="stable")
     order = order[flat[order] > -np.inf]
-    spent = np.cumsum(setting.cost.ravel()[order])
+    spent = np.cumsum(stakes.cost.ravel()[order])
     mask = np.zeros(flat.size, bool)
-    mask[order[spent <= budget * setting.cost.sum() * (1 + 1e-12)]] = True
+    mask[order[spent <= budget * stakes.cost.sum() * (1 + 1e-12)]] = True
     return mask.reshape(priority.shape)
 
 
 def best_width(
     network: SpreadNetwork,
-    setting: Setting,
+    stakes: Stakes,
     planner: Callable[[int, Progress], np.ndarray],
     *,
     budget: float,
@@ -143,17 +143,19 @@ def best_width(
     tuple
         The width and its priority.
     """
-    fires = design_fires(network, setting, n_runs=n_runs, seed=seed)
+    fires = design_fires(network, stakes, n_runs=n_runs, seed=seed)
     best = (np.inf, narrowest, np.zeros(network.shape))
     worse = 0
     widths = range(narrowest, max(widest, narrowest) + 1)
     for i, width in enumerate(widths):
         step = part(progress, i / len(widths), (i + 1) / len(widths), f"walls of {width} cells: ")
         priority = planner(width, part(step, 0.0, 0.7))
-        cut = affordable(priority, setting, budget)
-        lost = float(losses(
-            network, setting, cut, fires, residual=residual, threads=threads, progress=part(step, 0.7, 1.0)
-        ).mean())  # fmt: skip
+        cut = affordable(priority, stakes, budget)
+        lost = float(
+            losses(
+                network, stakes, cut, fires, residual=residual, threads=threads, progress=part(step, 0.7, 1.0)
+            ).mean()
+        )
         worse = 0 if lost < best[0] else worse + 1
         if lost < best[0]:
             best = (lost, width, priority)

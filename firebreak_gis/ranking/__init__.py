@@ -2,9 +2,9 @@
 
 A method file holds a frozen dataclass `Params` and
 
-    rank(network, params, *, setting, seed, progress) -> (rows, cols) float64, higher is cut earlier
+    rank(network, params, *, stakes, seed, progress) -> (rows, cols) float64, higher is cut earlier
 
-and needs no registration: its file name is its name. `setting` holds costs, protected cells, values at risk and
+and needs no registration: its file name is its name. `stakes` holds costs, protected cells, values at risk and
 where fires start; a method uses what it can. Cells without fuel and protected cells get -inf here, whatever the
 method returned for them. A method whose result depends on how ties between equally good plans are broken says so
 by `UNIQUE = False`. `rank` below is the only way in.
@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.errors import GridError, VerificationError
-from firebreak_gis.methods import build_params, load
+from firebreak_gis.plugins import build_params, load
 from firebreak_gis.progress import Progress, silent
-from firebreak_gis.setting import Setting
+from firebreak_gis.stakes import Stakes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -31,7 +31,7 @@ def rank(
     network: SpreadNetwork,
     method: str = "dissection",
     *,
-    setting: Setting | None = None,
+    stakes: Stakes | None = None,
     seed: int = 0,
     progress: Progress | None = None,
     **params: Any,
@@ -44,7 +44,7 @@ def rank(
         The spread network.
     method
         Name of a ranking (`firebreak methods` lists them).
-    setting
+    stakes
         Costs, protected cells, values at risk and ignitions; default: every cell alike, nothing protected.
     seed
         Seed of methods that draw.
@@ -63,7 +63,7 @@ def rank(
     ParameterError
         If the method or a parameter is unknown or out of range.
     GridError
-        If the setting was made for a network of another shape.
+        If the stakes was made for a network of another shape.
 
     Notes
     -----
@@ -71,16 +71,16 @@ def rank(
     """
     module = load("ranking", method)
     values = build_params(module, params)
-    setting = setting or Setting(network)
-    if setting.cost.shape != network.shape:
-        raise GridError(f"setting has shape {setting.cost.shape}, expected {network.shape}; make it for this network")
-    scores = module.rank(network, values, setting=setting, seed=seed, progress=progress or silent)
+    stakes = stakes or Stakes(network)
+    if stakes.cost.shape != network.shape:
+        raise GridError(f"stakes has shape {stakes.cost.shape}, expected {network.shape}; make it for this network")
+    scores = module.rank(network, values, stakes=stakes, seed=seed, progress=progress or silent)
     priority = np.array(scores, dtype=np.float64)
     if priority.shape != network.shape or np.isnan(priority[network.burnable]).any():
         raise VerificationError(
             f"ranking {method!r} returned shape {priority.shape} or NaN, expected {network.shape} without NaN"
         )
-    priority[~network.burnable | setting.protected] = -np.inf
+    priority[~network.burnable | stakes.protected] = -np.inf
     if progress is not None:
         progress(1.0, f"{method} done")
     from firebreak_gis.schema import annotate

@@ -23,14 +23,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from firebreak_gis.methods import parameter
+from firebreak_gis.plugins import parameter
 
 if TYPE_CHECKING:
     import numpy as np
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Burnable cells up to which the default is exact.
 EXACT_CELLS = 20_000
@@ -47,16 +47,21 @@ class Params:
         0, text="number of sources; 0: all up to 20,000 burnable cells, beyond as many as epsilon needs", minimum=0
     )
     epsilon: float = parameter(
-        0.05, text="error of any cell allowed when sources are sampled, as a share of ordered pairs", minimum=1e-4,
-        maximum=1.0, open_maximum=True,
-    )  # fmt: skip
+        0.05,
+        text="error of any cell allowed when sources are sampled, as a share of ordered pairs",
+        minimum=1e-4,
+        maximum=1.0,
+        open_maximum=True,
+    )
     delta: float = parameter(
         0.1, text="chance that the sampling error exceeds epsilon", minimum=1e-12, maximum=1.0, open_maximum=True
     )
     recompute_every: float = parameter(
-        0.0, text="share of the cost of all fuel that is cut before scores are found anew on what is left; 0: never",
-        minimum=0.0, maximum=1.0,
-    )  # fmt: skip
+        0.0,
+        text="share of the cost of all fuel that is cut before scores are found anew on what is left; 0: never",
+        minimum=0.0,
+        maximum=1.0,
+    )
     until: float = parameter(
         0.2, text="share of the cost of all fuel up to which scores are found anew", minimum=1e-6, maximum=1.0
     )
@@ -66,7 +71,7 @@ def rank(
     network: SpreadNetwork,
     params: Params,
     *,
-    setting: Setting,
+    stakes: Stakes,
     seed: int,
     progress: Progress,
 ) -> np.ndarray:
@@ -74,9 +79,13 @@ def rank(
     from firebreak_gis.placement.rounds import centrality_in_rounds
 
     return centrality_in_rounds(
-        network, setting, lambda left, step: _scores(left, params, seed, step),
-        recompute_every=params.recompute_every, until=params.until, progress=progress,
-    )  # fmt: skip
+        network,
+        stakes,
+        lambda left, step: _scores(left, params, seed, step),
+        recompute_every=params.recompute_every,
+        until=params.until,
+        progress=progress,
+    )
 
 
 def _scores(network: SpreadNetwork, params: Params, seed: int, progress: Progress) -> np.ndarray:
@@ -88,6 +97,12 @@ def _scores(network: SpreadNetwork, params: Params, seed: int, progress: Progres
         progress(1.0, f"betweenness of {n_cells} cells done")
         return scores
     return sampled_betweenness(
-        network.probability, network.burnable, boundary=network.boundary, pivots=params.pivots,
-        epsilon=params.epsilon, delta=params.delta, seed=seed, progress=progress,
-    ).values  # fmt: skip
+        network.probability,
+        network.burnable,
+        boundary=network.boundary,
+        pivots=params.pivots,
+        epsilon=params.epsilon,
+        delta=params.delta,
+        seed=seed,
+        progress=progress,
+    ).values

@@ -19,7 +19,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from firebreak_gis.methods import parameter
+from firebreak_gis.plugins import parameter
 from firebreak_gis.progress import part
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
 MEMORY = (80, 0)
@@ -38,16 +38,21 @@ class Params:
     """Parameters of the Bonacich centrality."""
 
     beta: float = parameter(
-        0.5, text="how far a cell looks: 0 is the degree, towards 1 the eigenvector", minimum=0.0, maximum=1.0,
+        0.5,
+        text="how far a cell looks: 0 is the degree, towards 1 the eigenvector",
+        minimum=0.0,
+        maximum=1.0,
         open_maximum=True,
-    )  # fmt: skip
+    )
     orientation: str = parameter(
         "in", text="whether fire arriving at the cell (in) or leaving it (out) counts", choices=("in", "out")
     )
     recompute_every: float = parameter(
-        0.0, text="share of the cost of all fuel that is cut before scores are found anew on what is left; 0: never",
-        minimum=0.0, maximum=1.0,
-    )  # fmt: skip
+        0.0,
+        text="share of the cost of all fuel that is cut before scores are found anew on what is left; 0: never",
+        minimum=0.0,
+        maximum=1.0,
+    )
     until: float = parameter(
         0.2, text="share of the cost of all fuel up to which scores are found anew", minimum=1e-6, maximum=1.0
     )
@@ -57,7 +62,7 @@ def rank(
     network: SpreadNetwork,
     params: Params,
     *,
-    setting: Setting,
+    stakes: Stakes,
     seed: int,
     progress: Progress,
 ) -> np.ndarray:
@@ -65,9 +70,13 @@ def rank(
     from firebreak_gis.placement.rounds import centrality_in_rounds
 
     return centrality_in_rounds(
-        network, setting, lambda left, step: _scores(left, params, step),
-        recompute_every=params.recompute_every, until=params.until, progress=progress,
-    )  # fmt: skip
+        network,
+        stakes,
+        lambda left, step: _scores(left, params, step),
+        recompute_every=params.recompute_every,
+        until=params.until,
+        progress=progress,
+    )
 
 
 def _scores(network: SpreadNetwork, params: Params, progress: Progress) -> np.ndarray:
@@ -81,8 +90,12 @@ def _scores(network: SpreadNetwork, params: Params, progress: Progress) -> np.nd
         ).upper
         attenuation = params.beta / radius if radius > 0.0 else 0.0
     solution = katz(
-        network.probability, attenuation, params.beta, boundary=network.boundary,
-        transpose=params.orientation == "in", progress=part(progress, 0.5, 1.0),
-    )  # fmt: skip
+        network.probability,
+        attenuation,
+        params.beta,
+        boundary=network.boundary,
+        transpose=params.orientation == "in",
+        progress=part(progress, 0.5, 1.0),
+    )
     progress(1.0, f"Bonacich done, relative error below {solution.error:.1e}")
     return solution.values

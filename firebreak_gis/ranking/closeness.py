@@ -16,14 +16,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from firebreak_gis.methods import parameter
+from firebreak_gis.plugins import parameter
 
 if TYPE_CHECKING:
     import numpy as np
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
 MEMORY = (170, 0)
@@ -40,7 +40,7 @@ def rank(
     network: SpreadNetwork,
     params: Params,
     *,
-    setting: Setting,
+    stakes: Stakes,
     seed: int,
     progress: Progress,
 ) -> np.ndarray:
@@ -48,8 +48,11 @@ def rank(
     from firebreak_gis.kernels.centrality import closeness
 
     scores = closeness(
-        network.probability, network.burnable, boundary=network.boundary, transpose=params.orientation == "in",
+        network.probability,
+        network.burnable,
+        boundary=network.boundary,
+        transpose=params.orientation == "in",
         progress=progress,
-    )  # fmt: skip
+    )
     progress(1.0, f"closeness of {network.n_burnable} cells done")
     return scores

@@ -12,14 +12,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from firebreak_gis.methods import parameter
+from firebreak_gis.plugins import parameter
 
 if TYPE_CHECKING:
     import numpy as np
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
 MEMORY = (180, 0)
@@ -30,9 +30,12 @@ class Params:
     """Parameters of the square compartments."""
 
     direction: float | None = parameter(
-        None, text="direction of one set of bands, clockwise from north; default: the better of 0 and 45",
-        units="degree", minimum=0.0, maximum=360.0,
-    )  # fmt: skip
+        None,
+        text="direction of one set of bands, clockwise from north; default: the better of 0 and 45",
+        units="degree",
+        minimum=0.0,
+        maximum=360.0,
+    )
     width: int = parameter(1, text="width of the bands", units="cells", minimum=1, maximum=1000)
     spacing: float | None = parameter(
         None, text="from band to the next; default: the densest that the budget affords", units="cells", minimum=1.0
@@ -42,19 +45,24 @@ class Params:
     )
 
 
-def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress
-) -> np.ndarray:
+def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, progress: Progress) -> np.ndarray:
     """Return the order of cutting, (rows, cols) float64, highest first."""
     from firebreak_gis.placement.orientation import in_standard_orientation
     from firebreak_gis.placement.patterns import best_pattern, square_grid
 
-    def standard(network: SpreadNetwork, setting: Setting, turn: object) -> np.ndarray:
+    def standard(network: SpreadNetwork, stakes: Stakes, turn: object) -> np.ndarray:
         return best_pattern(
-            network, setting, square_grid, azimuths=(0.0, 45.0) if params.direction is None else (params.direction,),
-            width=params.width, spacing=params.spacing, families=2, budget=params.budget, progress=progress,
-        )  # fmt: skip
+            network,
+            stakes,
+            square_grid,
+            azimuths=(0.0, 45.0) if params.direction is None else (params.direction,),
+            width=params.width,
+            spacing=params.spacing,
+            families=2,
+            budget=params.budget,
+            progress=progress,
+        )
 
     if params.direction is None:
-        return in_standard_orientation(network, setting, standard)
-    return standard(network, setting, None)
+        return in_standard_orientation(network, stakes, standard)
+    return standard(network, stakes, None)

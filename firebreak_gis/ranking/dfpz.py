@@ -15,14 +15,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.methods import parameter
+from firebreak_gis.plugins import parameter
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
 MEMORY = (230, 0)
@@ -39,9 +39,7 @@ class Params:
     roads: float | None = parameter(None, text="raster of roads, above 0 on a road", raster=True)
 
 
-def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress
-) -> np.ndarray:
+def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, progress: Progress) -> np.ndarray:
     """Return the size of the slopes that lead up to the ridge next to each cell, (rows, cols) float64."""
     from firebreak_gis.placement.orientation import in_standard_orientation
 
@@ -49,11 +47,11 @@ def rank(
     elevation = _plane(network, params.elevation, "elevation")
     roads = _plane(network, params.roads, "roads")
 
-    def standard(network: SpreadNetwork, setting: Setting, turn: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+    def standard(network: SpreadNetwork, stakes: Stakes, turn: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
         height = climb(network) if elevation is None else turn(elevation)
         return zones(network, height, None if roads is None else turn(roads) > 0, params.width)
 
-    return in_standard_orientation(network, setting, standard)
+    return in_standard_orientation(network, stakes, standard)
 
 
 def zones(network: SpreadNetwork, height: np.ndarray, roads: np.ndarray | None, width: int) -> np.ndarray:

@@ -23,12 +23,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.methods import parameter
+from firebreak_gis.plugins import parameter
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
 MEMORY = (400, 60)
@@ -45,54 +45,66 @@ class Params:
     directions: int = parameter(8, text="directions in which walls are sought", minimum=1, maximum=64)
     smallest: int = parameter(16, text="compartments of fewer cells are not split", units="cells", minimum=2)
     width: int = parameter(
-        0, text="width of the walls; 0: the best for the residual and budget by simulated fires, the least if perfect",
-        units="cells", minimum=0, maximum=100,
-    )  # fmt: skip
+        0,
+        text="width of the walls; 0: the best for the residual and budget by simulated fires, the least if perfect",
+        units="cells",
+        minimum=0,
+        maximum=100,
+    )
     least_width: int = parameter(
         1, text="width of the walls at least, where it is not given", units="cells", minimum=1, maximum=100
     )
     residual: float = parameter(
-        0.0, text="spread probability that a treated cell keeps, for which the width is chosen", minimum=0.0,
+        0.0,
+        text="spread probability that a treated cell keeps, for which the width is chosen",
+        minimum=0.0,
         maximum=1.0,
-    )  # fmt: skip
+    )
     budget: float = parameter(
         0.05, text="share of the cost of all fuel for which the width is chosen", minimum=0.0, maximum=1.0
     )
 
 
-def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress
-) -> np.ndarray:
+def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, progress: Progress) -> np.ndarray:
     """Return the order of cutting, (rows, cols) float64, highest first."""
     from firebreak_gis.placement.orientation import in_standard_orientation
     from firebreak_gis.placement.widening import best_width
 
-    def standard(network: SpreadNetwork, setting: Setting, turn: object) -> np.ndarray:
+    def standard(network: SpreadNetwork, stakes: Stakes, turn: object) -> np.ndarray:
         if params.width > 0 or params.residual == 0.0 or not network.burnable.any():
-            return _walls_first(network, params, setting, params.width or params.least_width, progress)
+            return _walls_first(network, params, stakes, params.width or params.least_width, progress)
         return best_width(
-            network, setting, lambda width, step: _walls_first(network, params, setting, width, step),
-            narrowest=params.least_width, budget=params.budget, residual=params.residual, seed=seed, progress=progress,
-        )[1]  # fmt: skip
+            network,
+            stakes,
+            lambda width, step: _walls_first(network, params, stakes, width, step),
+            narrowest=params.least_width,
+            budget=params.budget,
+            residual=params.residual,
+            seed=seed,
+            progress=progress,
+        )[1]
 
-    return in_standard_orientation(network, setting, standard)
+    return in_standard_orientation(network, stakes, standard)
 
 
-def _walls_first(
-    network: SpreadNetwork, params: Params, setting: Setting, width: int, progress: Progress
-) -> np.ndarray:
+def _walls_first(network: SpreadNetwork, params: Params, stakes: Stakes, width: int, progress: Progress) -> np.ndarray:
     from firebreak_gis.placement.dissection import dissect, lines_first, sequence
     from firebreak_gis.placement.widening import walls
 
     cuts = dissect(
-        network, setting, width=width, leaky=params.residual > 0.0, directions=params.directions,
-        smallest=max(params.smallest, width * width), progress=progress,
-    )  # fmt: skip
+        network,
+        stakes,
+        width=width,
+        leaky=params.residual > 0.0,
+        directions=params.directions,
+        smallest=max(params.smallest, width * width),
+        progress=progress,
+    )
     saved, parent = [cut.saved for cut in cuts], [cut.parent for cut in cuts]
-    _, costs = walls([cut.cells for cut in cuts], network, setting, width)
+    _, costs = walls([cut.cells for cut in cuts], network, stakes, width)
     order = sequence(saved, costs, parent)
-    cells, _ = walls([cuts[i].cells for i in order], network, setting, width)
+    cells, _ = walls([cuts[i].cells for i in order], network, stakes, width)
     score = np.zeros(network.shape)
     for cut in cuts:  # parents come first, so the smallest compartment of a cell counts
         score.ravel()[cut.compartment] = cut.compartment.size
-    return lines_first(cells, setting, score)
+    return lines_first(cells, stakes, score)

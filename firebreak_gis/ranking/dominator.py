@@ -16,14 +16,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from firebreak_gis.methods import parameter
+from firebreak_gis.plugins import parameter
 
 if TYPE_CHECKING:
     import numpy as np
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
 MEMORY = (330, 0)
@@ -35,26 +35,32 @@ class Params:
 
     fires: int = parameter(100, text="simulated fires that the plan is designed with", minimum=1)
     recompute_every: float = parameter(
-        0.005, text="share of the cost of all fuel that is cut before scores are found anew", minimum=1e-6,
+        0.005,
+        text="share of the cost of all fuel that is cut before scores are found anew",
+        minimum=1e-6,
         maximum=1.0,
-    )  # fmt: skip
+    )
     until: float = parameter(
         0.2, text="share of the cost of all fuel up to which scores are found anew", minimum=1e-6, maximum=1.0
     )
 
 
-def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress
-) -> np.ndarray:
+def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, progress: Progress) -> np.ndarray:
     """Return the order of cutting, (rows, cols) float64, highest first."""
     from firebreak_gis.kernels.gains import dominated
     from firebreak_gis.placement.gains import by_gain
     from firebreak_gis.placement.orientation import in_standard_orientation
 
-    def standard(network: SpreadNetwork, setting: Setting, turn: object) -> np.ndarray:
+    def standard(network: SpreadNetwork, stakes: Stakes, turn: object) -> np.ndarray:
         return by_gain(
-            network, setting, dominated, n_runs=params.fires, recompute_every=params.recompute_every,
-            until=params.until, seed=seed, progress=progress,
-        )  # fmt: skip
+            network,
+            stakes,
+            dominated,
+            n_runs=params.fires,
+            recompute_every=params.recompute_every,
+            until=params.until,
+            seed=seed,
+            progress=progress,
+        )
 
-    return in_standard_orientation(network, setting, standard)
+    return in_standard_orientation(network, stakes, standard)

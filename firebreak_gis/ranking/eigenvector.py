@@ -18,14 +18,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from firebreak_gis.methods import parameter
+from firebreak_gis.plugins import parameter
 
 if TYPE_CHECKING:
     import numpy as np
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
 MEMORY = (100, 0)
@@ -44,7 +44,7 @@ def rank(
     network: SpreadNetwork,
     params: Params,
     *,
-    setting: Setting,
+    stakes: Stakes,
     seed: int,
     progress: Progress,
 ) -> np.ndarray:

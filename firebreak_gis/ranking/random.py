@@ -16,7 +16,7 @@ from firebreak_gis.kernels.draws import stream_key, uniforms
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
 MEMORY = (80, 0)
@@ -31,7 +31,7 @@ def rank(
     network: SpreadNetwork,
     params: Params,
     *,
-    setting: Setting,
+    stakes: Stakes,
     seed: int,
     progress: Progress,
 ) -> np.ndarray:

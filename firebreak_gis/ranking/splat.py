@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.methods import parameter
+from firebreak_gis.plugins import parameter
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
-    from firebreak_gis.setting import Setting
+    from firebreak_gis.stakes import Stakes
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
 MEMORY = (160, 0)
@@ -31,23 +31,22 @@ class Params:
     """Parameters of the staggered patches."""
 
     direction: float | None = parameter(
-        None, text="heading of the fires, clockwise from north; default: into which fire spreads most",
-        units="degree", minimum=0.0, maximum=360.0,
-    )  # fmt: skip
+        None,
+        text="heading of the fires, clockwise from north; default: into which fire spreads most",
+        units="degree",
+        minimum=0.0,
+        maximum=360.0,
+    )
     width: int = parameter(4, text="patch along the heading", units="cells", minimum=1, maximum=1000)
     length: int = parameter(12, text="patch across the heading", units="cells", minimum=1, maximum=10_000)
     overlap: int = parameter(4, text="overlap of patches of neighbouring rows", units="cells", minimum=0)
     gap: float | None = parameter(
         None, text="between rows along the heading; default: what the budget affords", units="cells", minimum=0.0
     )
-    budget: float = parameter(
-        0.05, text="share of the land that the patches may take", minimum=1e-6, maximum=1.0
-    )
+    budget: float = parameter(0.05, text="share of the land that the patches may take", minimum=1e-6, maximum=1.0)
 
 
-def rank(
-    network: SpreadNetwork, params: Params, *, setting: Setting, seed: int, progress: Progress
-) -> np.ndarray:
+def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, progress: Progress) -> np.ndarray:
     """Return the order of cutting, (rows, cols) float64, highest first."""
     from firebreak_gis.placement.orientation import in_standard_orientation
 
@@ -57,11 +56,11 @@ def rank(
         )
     progress(0.0, "laying patches")
     if params.direction is None:
-        return in_standard_orientation(network, setting, lambda n, s, _: _patches_first(n, params, s))
-    return _patches_first(network, params, setting)
+        return in_standard_orientation(network, stakes, lambda n, s, _: _patches_first(n, params, s))
+    return _patches_first(network, params, stakes)
 
 
-def _patches_first(network: SpreadNetwork, params: Params, setting: Setting) -> np.ndarray:
+def _patches_first(network: SpreadNetwork, params: Params, stakes: Stakes) -> np.ndarray:
     from firebreak_gis.placement.patterns import pattern_first, prevailing, staggered_patches
 
     heading = prevailing(network) if params.direction is None else params.direction
@@ -72,10 +71,10 @@ def _patches_first(network: SpreadNetwork, params: Params, setting: Setting) -> 
     patch = staggered_patches(
         network.shape, heading, width=params.width, length=params.length, gap=gap, overlap=params.overlap
     )
-    treated = np.where(network.burnable & ~setting.protected, patch, -1).ravel()
+    treated = np.where(network.burnable & ~stakes.protected, patch, -1).ravel()
     cells = np.argsort(treated, kind="stable")[np.count_nonzero(treated < 0) :]
     if cells.size == 0:
-        return pattern_first(network, setting, [])
+        return pattern_first(network, stakes, [])
     patches = np.split(cells, np.flatnonzero(np.diff(treated[cells])) + 1)
-    worth = np.array([setting.value.ravel()[own].sum() for own in patches])
-    return pattern_first(network, setting, [patches[i] for i in np.argsort(-worth, kind="stable")])
+    worth = np.array([stakes.value.ravel()[own].sum() for own in patches])
+    return pattern_first(network, stakes, [patches[i] for i in np.argsort(-worth, kind="stable")])

@@ -19,8 +19,8 @@ from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.rasters.header import open_raster
 from firebreak_gis.rasters.reading import TAG
 from firebreak_gis.schema import VARIABLES, Variable
-from firebreak_gis.styles import qml, rgba
-from firebreak_gis.workers import thread_count
+from firebreak_gis.styles.rasters import qml, rgba
+from firebreak_gis.threads import thread_count
 
 if TYPE_CHECKING:
     import xarray as xr

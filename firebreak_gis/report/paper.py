@@ -25,10 +25,16 @@ if TYPE_CHECKING:
 
 #: Lines of Figure 1: label, colour, dash.
 _LOOKS = {
-    "bonacich 0.5": ("#d1495b", "-"), "bonacich 0.2": ("#e8899a", "-"), "bonacich 0.8": ("#8c1c2e", "-"),
-    "betweenness": ("#00798c", "-"), "closeness": ("#edae49", "-"), "degree": ("#8d5a97", "-"),
-    "eigenvector": ("#3b7a57", "-"), "flammability": ("#b5651d", ":"), "random": ("#555555", "--"),
-}  # fmt: skip
+    "bonacich 0.5": ("#d1495b", "-"),
+    "bonacich 0.2": ("#e8899a", "-"),
+    "bonacich 0.8": ("#8c1c2e", "-"),
+    "betweenness": ("#00798c", "-"),
+    "closeness": ("#edae49", "-"),
+    "degree": ("#8d5a97", "-"),
+    "eigenvector": ("#3b7a57", "-"),
+    "flammability": ("#b5651d", ":"),
+    "random": ("#555555", "--"),
+}
 
 
 def figure_1(result: xr.Dataset, *, fallen: float) -> Figure:

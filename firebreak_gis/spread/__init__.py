@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.errors import InputError
 from firebreak_gis.grid import Grid
-from firebreak_gis.methods import build_params, load
 from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.plugins import build_params, load
 
 if TYPE_CHECKING:
     import xarray as xr

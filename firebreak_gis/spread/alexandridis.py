@@ -30,10 +30,10 @@ import numpy as np
 from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import AZIMUTH, DIRECTIONS
-from firebreak_gis.methods import parameter
 from firebreak_gis.network import Boundary, neighbour
+from firebreak_gis.plugins import parameter
 from firebreak_gis.schema import validate
-from firebreak_gis.workers import thread_count
+from firebreak_gis.threads import thread_count
 
 if TYPE_CHECKING:
     import xarray as xr

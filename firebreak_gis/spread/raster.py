@@ -13,8 +13,8 @@ import numpy as np
 
 from firebreak_gis.errors import CRSError, ParameterError
 from firebreak_gis.grid import Grid
-from firebreak_gis.methods import parameter
 from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.plugins import parameter
 from firebreak_gis.rasters import read_variable
 
 if TYPE_CHECKING:

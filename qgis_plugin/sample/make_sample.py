@@ -46,10 +46,14 @@ HERE = Path(__file__).resolve().parent
 DATA = HERE.parent.parent / "sample_data"
 
 CLASSES = {
-    "vegetation": {0: ("none", "#d9d9d9"), 1: ("agricultural", "#e9d66b"), 2: ("shrubs", "#a3b18a"),
-                   3: ("pines", "#2d6a4f")},
+    "vegetation": {
+        0: ("none", "#d9d9d9"),
+        1: ("agricultural", "#e9d66b"),
+        2: ("shrubs", "#a3b18a"),
+        3: ("pines", "#2d6a4f"),
+    },
     "density": {1: ("sparse", "#d8f3dc"), 2: ("normal", "#74c69d"), 3: ("dense", "#1b4332")},
-}  # fmt: skip
+}
 HEIGHTS = {0: "#2d6a4f", 150: "#95b46a", 300: "#e9d8a6", 450: "#b08968", 600: "#f8f9fa"}
 VECTORS = {
     "ignitions": QgsMarkerSymbol.createSimple({"name": "star", "color": "#e31a1c", "size": "4"}),
@@ -118,30 +122,49 @@ def make_model(target: Path) -> None:
         QgsProcessingParameterRasterLayer("density", "Vegetation density"),
         QgsProcessingParameterNumber("budget", "Budget", QgsProcessingParameterNumber.Type.Double, 0.1, False, 0, 1),
         QgsProcessingParameterNumber("runs", "Number of fires", QgsProcessingParameterNumber.Type.Integer, 100),
-    )  # fmt: skip
+    )
     for row, definition in enumerate(inputs):
         component = QgsProcessingModelParameter(definition.name())
         component.setPosition(QPointF(120, 80 + 80 * row))
         model.addModelParameter(definition, component)
     given = QgsProcessingModelChildParameterSource.fromModelParameter
     made = QgsProcessingModelChildParameterSource.fromChildOutput
-    _child(model, "network", 0, {"INPUT_DEM": given("dem"), "INPUT_VEGETATION": given("vegetation"),
-                                 "INPUT_DENSITY": given("density")})  # fmt: skip
+    _child(
+        model,
+        "network",
+        0,
+        {"INPUT_DEM": given("dem"), "INPUT_VEGETATION": given("vegetation"), "INPUT_DENSITY": given("density")},
+    )
     _child(model, "rank", 1, {"INPUT_NETWORK": made("network", "OUTPUT_NETWORK")})
-    _child(model, "breaks", 2, {"INPUT_PRIORITY": made("rank", "OUTPUT_PRIORITY"), "BUDGET": given("budget")},
-           {"OUTPUT_BREAKS": "Fire breaks"})  # fmt: skip
+    _child(
+        model,
+        "breaks",
+        2,
+        {"INPUT_PRIORITY": made("rank", "OUTPUT_PRIORITY"), "BUDGET": given("budget")},
+        {"OUTPUT_BREAKS": "Fire breaks"},
+    )
     fires = {"INPUT_NETWORK": made("network", "OUTPUT_NETWORK"), "N_RUNS": given("runs")}
     _child(model, "burn", 3, fires, {"OUTPUT_FREQUENCY": "Burn frequency without breaks"}, "without")
-    _child(model, "burn", 4, {**fires, "INPUT_BREAKS": made("breaks", "OUTPUT_BREAKS")},
-           {"OUTPUT_FREQUENCY": "Burn frequency with the breaks"}, "with")  # fmt: skip
+    _child(
+        model,
+        "burn",
+        4,
+        {**fires, "INPUT_BREAKS": made("breaks", "OUTPUT_BREAKS")},
+        {"OUTPUT_FREQUENCY": "Burn frequency with the breaks"},
+        "with",
+    )
     if not model.toFile(str(target)):
         sys.exit(f"{target} cannot be written")
 
 
 def _child(
-    model: QgsProcessingModelAlgorithm, algorithm: str, row: int, sources: dict, results: dict | None = None,
+    model: QgsProcessingModelAlgorithm,
+    algorithm: str,
+    row: int,
+    sources: dict,
+    results: dict | None = None,
     name: str | None = None,
-) -> None:  # fmt: skip
+) -> None:
     child = QgsProcessingModelChildAlgorithm(f"firebreak:{algorithm}")
     child.setChildId(name or algorithm)
     child.setDescription(child.algorithm().displayName() + (f" ({name} breaks)" if name else ""))

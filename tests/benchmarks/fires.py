@@ -61,9 +61,17 @@ def rows(side: int) -> Iterator[Comparison]:
         kernels = Kernels(network, middle=middle)
         floor = {300: 3.0, 1000: 2.0}.get(side) if middle else None
         yield Comparison(
-            f"64 fires at once, {name}", kernels.n_cells, "one by one", kernels.at_once, kernels.one_by_one,
-            _equal, _burnt, "ns/burnt cell", 1e9, at_least=floor,
-        )  # fmt: skip
+            f"64 fires at once, {name}",
+            kernels.n_cells,
+            "one by one",
+            kernels.at_once,
+            kernels.one_by_one,
+            _equal,
+            _burnt,
+            "ns/burnt cell",
+            1e9,
+            at_least=floor,
+        )
         yield from _against_peers(network, kernels.starts, name)
     yield from _curves(network)
 
@@ -85,14 +93,21 @@ def _against_peers(network: SpreadNetwork, starts: np.ndarray, name: str) -> Ite
     ):
         burn = make(network)
         yield Comparison(
-            f"fires (`simulate`), {name}", n_cells, peer, ours, lambda burn=burn: burn(few),
-            lambda a, b: _alike(a[1][: few.size], b[1], n_cells), _burnt, "ns/burnt cell", 1e9,
+            f"fires (`simulate`), {name}",
+            n_cells,
+            peer,
+            ours,
+            lambda burn=burn: burn(few),
+            lambda a, b: _alike(a[1][: few.size], b[1], n_cells),
+            _burnt,
+            "ns/burnt cell",
+            1e9,
             at_least=floor if n_cells >= ASKED else None,
-        )  # fmt: skip
+        )
 
 
 def _curves(network: SpreadNetwork) -> Iterator[Comparison]:
-    from firebreak_gis.simulation import cut_levels
+    from firebreak_gis.simulation.fires import cut_levels
 
     kernels = Kernels(network)
     asked = kernels.n_cells >= ASKED
@@ -111,20 +126,41 @@ def _curves(network: SpreadNetwork) -> Iterator[Comparison]:
         return burn_curve(network, priority, budgets=LEVELS, n_runs=RUNS, threads=1).to_numpy()
 
     yield Comparison(
-        "curve of 51 levels, run by run", kernels.n_cells, "one plain run",
-        lambda: kernels.curve(levels), kernels.one_by_one,
-        lambda a, b: bool((a[:, 0] == b[1]).all()), lambda _: RUNS, "ms/run", 1e3, at_most=2.0 if asked else None,
-    )  # fmt: skip
+        "curve of 51 levels, run by run",
+        kernels.n_cells,
+        "one plain run",
+        lambda: kernels.curve(levels),
+        kernels.one_by_one,
+        lambda a, b: bool((a[:, 0] == b[1]).all()),
+        lambda _: RUNS,
+        "ms/run",
+        1e3,
+        at_most=2.0 if asked else None,
+    )
     yield Comparison(
-        "curve of 51 levels (`burn_curve`)", kernels.n_cells, "`simulate`, no cut", curve,
+        "curve of 51 levels (`burn_curve`)",
+        kernels.n_cells,
+        "`simulate`, no cut",
+        curve,
         lambda: simulate(network, n_runs=RUNS, threads=1)["fire_size"].to_numpy(),
-        lambda a, b: bool((a[:, 0] == b).all()), lambda _: RUNS, "ms/run", 1e3,
-    )  # fmt: skip
+        lambda a, b: bool((a[:, 0] == b).all()),
+        lambda _: RUNS,
+        "ms/run",
+        1e3,
+    )
     yield Comparison(
-        "curve of 51 levels (`burn_curve`)", kernels.n_cells, "`simulate` at every level", curve, every_level,
-        lambda a, b: bool((a == b).all()), lambda _: RUNS, "ms/run", 1e3,
-        rounds=3 if kernels.n_cells < 500_000 else 1, at_least=5.0 if asked else None,
-    )  # fmt: skip
+        "curve of 51 levels (`burn_curve`)",
+        kernels.n_cells,
+        "`simulate` at every level",
+        curve,
+        every_level,
+        lambda a, b: bool((a == b).all()),
+        lambda _: RUNS,
+        "ms/run",
+        1e3,
+        rounds=3 if kernels.n_cells < 500_000 else 1,
+        at_least=5.0 if asked else None,
+    )
 
 
 def _equal(a: peers.Burns, b: peers.Burns) -> bool:

@@ -43,8 +43,17 @@ def write_layers(folder: Path, side: int) -> list[Path]:
     for name, values in layers.items():
         paths.append(folder / f"{name}.tif")
         with rasterio.open(
-            paths[-1], "w", driver="GTiff", height=side, width=side, count=1, dtype=values.dtype, crs="EPSG:32635",
-            transform=Affine(20, 0, 580_000, 0, -20, 4_020_000), tiled=True, compress="deflate",
-        ) as target:  # fmt: skip
+            paths[-1],
+            "w",
+            driver="GTiff",
+            height=side,
+            width=side,
+            count=1,
+            dtype=values.dtype,
+            crs="EPSG:32635",
+            transform=Affine(20, 0, 580_000, 0, -20, 4_020_000),
+            tiled=True,
+            compress="deflate",
+        ) as target:
             target.write(values, 1)
     return paths

@@ -48,9 +48,19 @@ def stencil_rows(side: int) -> Iterator[Comparison]:
                 return out
 
             yield Comparison(
-                "product A x", x.size, "scipy CSR, one thread", ours, theirs, close, lambda _: times, "ms", 1e3,
-                rounds=15, at_least=4.0, threads=n_threads,
-            )  # fmt: skip
+                "product A x",
+                x.size,
+                "scipy CSR, one thread",
+                ours,
+                theirs,
+                close,
+                lambda _: times,
+                "ms",
+                1e3,
+                rounds=15,
+                at_least=4.0,
+                threads=n_threads,
+            )
 
 
 def bandwidth_row(side: int, *, transpose: bool) -> Iterator[Figure]:
@@ -84,7 +94,12 @@ def bonacich_rows(side: int) -> Iterator[Comparison]:
             return rank(network, "bonacich", beta=0.9).to_numpy()
 
     yield Comparison(
-        "Bonacich, beta 0.9", network.burnable.size, "scipy ARPACK + BiCGSTAB", ours,
-        lambda: peers.scipy_bonacich(network, 0.9), lambda a, b: close(a, b, 1e-6),
-        rounds=1, at_least=20.0 if side >= 3000 else None,
-    )  # fmt: skip
+        "Bonacich, beta 0.9",
+        network.burnable.size,
+        "scipy ARPACK + BiCGSTAB",
+        ours,
+        lambda: peers.scipy_bonacich(network, 0.9),
+        lambda a, b: close(a, b, 1e-6),
+        rounds=1,
+        at_least=20.0 if side >= 3000 else None,
+    )

@@ -21,9 +21,19 @@ from tests.benchmarks.measuring import MEMORY, Figure
 
 #: Steps, and the threads that they use.
 STEPS = {
-    "align": 1, "network": 1, "degree": 1, "Bonacich": 1, "eigenvector": 1, "sampled betweenness": 1,
-    "dissection": 1, "breaks": 1, "burns": 1, "burns on 2 threads": 2, "curve": 1, "write": 1,
-}  # fmt: skip
+    "align": 1,
+    "network": 1,
+    "degree": 1,
+    "Bonacich": 1,
+    "eigenvector": 1,
+    "sampled betweenness": 1,
+    "dissection": 1,
+    "breaks": 1,
+    "burns": 1,
+    "burns on 2 threads": 2,
+    "curve": 1,
+    "write": 1,
+}
 #: At most so many bytes a cell: three times the probabilities, them included.
 _ASKED = {"Bonacich": 96.0}
 _SIDES, _SLOW_SIDES = (700, 1400), (400, 800)

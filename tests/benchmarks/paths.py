@@ -46,14 +46,25 @@ def rows(side: int) -> Iterator[Comparison]:
 def _against_igraph(ours: _Ours) -> Iterator[Comparison]:
     graph = peers.igraph_graph(ours.network)
     yield Comparison(
-        "betweenness, exact", ours.cells, "igraph", ours.betweenness, lambda: graph.betweenness(weights="length"),
-        close, rounds=ours.rounds, at_least=4.0 if ours.asked else None,
-    )  # fmt: skip
+        "betweenness, exact",
+        ours.cells,
+        "igraph",
+        ours.betweenness,
+        lambda: graph.betweenness(weights="length"),
+        close,
+        rounds=ours.rounds,
+        at_least=4.0 if ours.asked else None,
+    )
     yield Comparison(
-        "closeness", ours.cells, "igraph", ours.closeness,
-        lambda: graph.closeness(weights="length", mode="out", normalized=True), close,
-        rounds=ours.rounds, at_least=3.0 if ours.asked else None,
-    )  # fmt: skip
+        "closeness",
+        ours.cells,
+        "igraph",
+        ours.closeness,
+        lambda: graph.closeness(weights="length", mode="out", normalized=True),
+        close,
+        rounds=ours.rounds,
+        at_least=3.0 if ours.asked else None,
+    )
 
 
 def _against_networkit(ours: _Ours) -> Iterator[Comparison]:
@@ -61,15 +72,25 @@ def _against_networkit(ours: _Ours) -> Iterator[Comparison]:
 
     graph = peers.networkit_graph(ours.network)
     yield Comparison(
-        "betweenness, exact", ours.cells, "networkit", ours.betweenness,
-        lambda: Betweenness(graph).run().scores(), close,
-        rounds=ours.rounds, at_least=5.0 if ours.asked else None,
-    )  # fmt: skip
+        "betweenness, exact",
+        ours.cells,
+        "networkit",
+        ours.betweenness,
+        lambda: Betweenness(graph).run().scores(),
+        close,
+        rounds=ours.rounds,
+        at_least=5.0 if ours.asked else None,
+    )
     yield Comparison(
-        "closeness", ours.cells, "networkit", ours.closeness,
-        lambda: Closeness(graph, True, ClosenessVariant.GENERALIZED).run().scores(), close,
-        rounds=ours.rounds, at_least=3.0 if ours.asked else None,
-    )  # fmt: skip
+        "closeness",
+        ours.cells,
+        "networkit",
+        ours.closeness,
+        lambda: Closeness(graph, True, ClosenessVariant.GENERALIZED).run().scores(),
+        close,
+        rounds=ours.rounds,
+        at_least=3.0 if ours.asked else None,
+    )
 
 
 def networkx_rows(side: int) -> Iterator[Comparison]:
@@ -79,15 +100,25 @@ def networkx_rows(side: int) -> Iterator[Comparison]:
     ours = _Ours(side)
     graph = peers.networkx_graph(ours.network)
     yield Comparison(
-        "betweenness, exact", ours.cells, "networkx", ours.betweenness,
-        lambda: list(nx.betweenness_centrality(graph, weight="weight", normalized=False).values()), close,
-        rounds=1, at_least=150.0,
-    )  # fmt: skip
+        "betweenness, exact",
+        ours.cells,
+        "networkx",
+        ours.betweenness,
+        lambda: list(nx.betweenness_centrality(graph, weight="weight", normalized=False).values()),
+        close,
+        rounds=1,
+        at_least=150.0,
+    )
     if not ours.asked:
         yield Comparison(
-            "closeness", ours.cells, "networkx", ours.closeness_to,
-            lambda: list(nx.closeness_centrality(graph, distance="weight").values()), close, rounds=1,
-        )  # fmt: skip
+            "closeness",
+            ours.cells,
+            "networkx",
+            ours.closeness_to,
+            lambda: list(nx.closeness_centrality(graph, distance="weight").values()),
+            close,
+            rounds=1,
+        )
 
 
 def sampled_rows(side: int) -> Iterator[Comparison | Figure]:
@@ -113,6 +144,14 @@ def sampled_rows(side: int) -> Iterator[Comparison | Figure]:
         return bool(abs(np.log(a.sum() / b.sum())) < 0.4)
 
     yield Comparison(
-        f"betweenness, {_PIVOTS} pivots", n_cells, f"networkit, {_PEER_PIVOTS} pivots", ours, theirs, alike,
-        lambda result: _PIVOTS if result.ndim == 2 else _PEER_PIVOTS, "ms/pivot", 1e3, at_least=5.0,
-    )  # fmt: skip
+        f"betweenness, {_PIVOTS} pivots",
+        n_cells,
+        f"networkit, {_PEER_PIVOTS} pivots",
+        ours,
+        theirs,
+        alike,
+        lambda result: _PIVOTS if result.ndim == 2 else _PEER_PIVOTS,
+        "ms/pivot",
+        1e3,
+        at_least=5.0,
+    )

@@ -67,8 +67,11 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=_HERE / "results", help="folder for the files")
     parser.add_argument("--quick", action="store_true", help="small sizes only, to see that all works")
     parser.add_argument("--huge", action="store_true", help="9 million cells, and networkx on 10,000")
-    parser.add_argument("--only", action="append", help="fires, paths, sampled, stencil, bonacich, start, whole, "
-                        "memory or scaling; may be given several times")  # fmt: skip
+    parser.add_argument(
+        "--only",
+        action="append",
+        help="fires, paths, sampled, stencil, bonacich, start, whole, memory or scaling; may be given several times",
+    )
     parser.add_argument("--readme", type=Path, help="put the rows with a demand into this file")
     given = parser.parse_args()
     began = time.perf_counter()

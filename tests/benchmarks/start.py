@@ -37,9 +37,12 @@ def _program(*arguments: str, environment: Mapping[str, str] | None = None) -> _
     """Run a fresh Python to its end."""
     before, started = os.times(), time.perf_counter()
     done = subprocess.run(
-        [sys.executable, *arguments], env={**os.environ, **(environment or {})}, check=True, capture_output=True,
+        [sys.executable, *arguments],
+        env={**os.environ, **(environment or {})},
+        check=True,
+        capture_output=True,
         text=True,
-    )  # fmt: skip
+    )
     clock, after = time.perf_counter() - started, os.times()
     processor = after.children_user + after.children_system - before.children_user - before.children_system
     return _Ran(clock, processor or clock, done.stdout)  # Windows does not count children
@@ -78,8 +81,20 @@ def whole_rows(side: int) -> Iterator[Figure]:
             yield Figure(f"files to files, of this {name}", cells, part, "s", threads=number)
         peak = max(t["peak"] for t in told) / 1e9
         yield Figure("files to files, peak memory", cells, peak, "GB", 4.0 if side == 3000 else None, threads=number)
-        command = ("-m", "firebreak_gis", "plan", *layers, "--legend", "paper", "--method", "bonacich", "--overwrite",
-                   "-q", "-o", str(Path(folder) / "plan"))  # fmt: skip
+        command = (
+            "-m",
+            "firebreak_gis",
+            "plan",
+            *layers,
+            "--legend",
+            "paper",
+            "--method",
+            "bonacich",
+            "--overwrite",
+            "-q",
+            "-o",
+            str(Path(folder) / "plan"),
+        )
         took = _program(*command).clock
         yield Figure("`firebreak plan`, with evaluation and picture", cells, took, "s", threads=number)
         if first is not None:

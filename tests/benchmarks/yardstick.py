@@ -17,13 +17,13 @@ from typing import NamedTuple
 import numpy as np
 from scipy.ndimage import gaussian_filter
 
-from firebreak_gis import methods
+from firebreak_gis import plugins
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.fires import Fires, design_fires, losses
-from firebreak_gis.placement.refinement import refine
+from firebreak_gis.planning.refinement import refine
 from firebreak_gis.progress import silent
 from firebreak_gis.ranking import rank
-from firebreak_gis.setting import Setting
+from firebreak_gis.stakes import Stakes
 from tests.twins.optimum import Optimum, optimum
 
 SIDE = 20
@@ -37,12 +37,12 @@ class Window(NamedTuple):
 
     name: str
     network: SpreadNetwork
-    setting: Setting
+    stakes: Stakes
     fires: Fires
     count: int
 
     def lost(self, cut: np.ndarray) -> float:
-        return float(losses(self.network, self.setting, cut, self.fires, progress=silent).mean())
+        return float(losses(self.network, self.stakes, cut, self.fires, progress=silent).mean())
 
     def first(self, priority: np.ndarray) -> np.ndarray:
         """Cells that the budget buys."""
@@ -51,10 +51,10 @@ class Window(NamedTuple):
 
 
 def window(name: str, network: SpreadNetwork, *, n_fires: int, count: int, seed: int = 1) -> Window:
-    fires = design_fires(network, Setting(network), n_runs=n_fires, seed=seed)
+    fires = design_fires(network, Stakes(network), n_runs=n_fires, seed=seed)
     starts = np.zeros(network.burnable.size, bool)
     starts[fires.cells] = True
-    return Window(name, network, Setting(network, protected=starts.reshape(network.shape)), fires, count)
+    return Window(name, network, Stakes(network, protected=starts.reshape(network.shape)), fires, count)
 
 
 def artificial(scale: float, seed: int) -> SpreadNetwork:
@@ -93,17 +93,17 @@ def rhodes_windows(n: int, folder: Path) -> Iterator[Window]:
 def plans(problem: Window, *, moves: int = 800) -> dict[str, np.ndarray]:
     """Cells that each ranking cuts, and those of the local search."""
     cuts = {}
-    network, setting = problem.network, problem.setting
-    for method in methods.names("ranking"):
-        known = {entry["name"] for entry in methods.describe("ranking", method)["parameters"]}
+    network, stakes = problem.network, problem.stakes
+    for method in plugins.names("ranking"):
+        known = {entry["name"] for entry in plugins.describe("ranking", method)["parameters"]}
         options = dict(OPTIONS.get(method, {}))
         if "budget" in known:
             options["budget"] = problem.count / network.n_burnable
-        cuts[method] = problem.first(rank(network, method, setting=setting, **options).values)
+        cuts[method] = problem.first(rank(network, method, stakes=stakes, **options).values)
         if method == "dissection":
-            cuts[SEARCHED] = searched(problem, rank(network, method, setting=setting, **options).values, moves=moves)
+            cuts[SEARCHED] = searched(problem, rank(network, method, stakes=stakes, **options).values, moves=moves)
     for method in ("bonacich", "betweenness"):
-        again = rank(network, method, setting=setting, recompute_every=1e-6).values
+        again = rank(network, method, stakes=stakes, recompute_every=1e-6).values
         cuts[f"{method}, cell by cell"] = problem.first(again)
     return cuts
 
@@ -111,14 +111,20 @@ def plans(problem: Window, *, moves: int = 800) -> dict[str, np.ndarray]:
 def searched(problem: Window, priority: np.ndarray, *, moves: int) -> np.ndarray:
     return problem.first(
         refine(
-            problem.network, problem.setting, priority, budget=float(problem.count), unit="cost",
-            fires=problem.fires, moves=moves, progress=silent,
+            problem.network,
+            problem.stakes,
+            priority,
+            budget=float(problem.count),
+            unit="cost",
+            fires=problem.fires,
+            moves=moves,
+            progress=silent,
         )
-    )  # fmt: skip
+    )
 
 
 def best(problem: Window, *, seconds: float) -> Optimum:
-    return optimum(problem.network, problem.setting, problem.fires, budget=problem.count, seconds=seconds)
+    return optimum(problem.network, problem.stakes, problem.fires, budget=problem.count, seconds=seconds)
 
 
 def main() -> None:
@@ -137,8 +143,16 @@ def main() -> None:
         answer = best(problem, seconds=options.seconds)
         lost = {name: problem.lost(cut) for name, cut in plans(problem).items()}
         none = problem.lost(np.zeros(problem.network.shape, bool))
-        rows.append({"window": problem.name, "none": none, "optimum": answer.lost, "bound": answer.bound,
-                     "proven": answer.proven, "lost": lost})  # fmt: skip
+        rows.append(
+            {
+                "window": problem.name,
+                "none": none,
+                "optimum": answer.lost,
+                "bound": answer.bound,
+                "proven": answer.proven,
+                "lost": lost,
+            }
+        )
         print(
             f"{problem.name}: none {none:.4f}, optimum {answer.lost:.4f} "
             f"({'proven' if answer.proven else f'bound {answer.bound:.4f}'}), {SEARCHED} {lost[SEARCHED]:.4f}",

@@ -2,7 +2,7 @@
 
 import hashlib
 
-from firebreak_gis.locks import PREFIX
+from firebreak_gis.files.locks import PREFIX
 
 
 def content(folder):
@@ -50,4 +50,3 @@ def account_tells(folder, old, new):
     """Whether the account is there only where all files are those it names."""
     found = content(folder)
     return "run.json" not in found or found in (old, new)
-

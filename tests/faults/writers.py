@@ -58,7 +58,7 @@ def polygons(variant):
 
 @functools.cache
 def small_plan(variant):
-    from firebreak_gis.pipeline import plan
+    from firebreak_gis.planning.pipeline import plan
 
     return plan(landscape(variant), budget=0.1, method="flammability", n_runs=8, seed=variant, threads=1)
 
@@ -123,7 +123,7 @@ def _vector(folder, variant, overwrite, suffix):
 
 
 def _layers(folder, variant, overwrite):
-    from firebreak_gis.field_map import write_compartments
+    from firebreak_gis.construction.writing import write_compartments
 
     table = polygons(variant).assign(expected_loss=np.linspace(0.0, 3.0, 40), compartment=np.arange(40))
     write_compartments(folder / "out.gpkg", table, overwrite=overwrite)
@@ -136,7 +136,7 @@ def _landscape_folder(folder, variant, overwrite):
 
 
 def _plan(folder, variant, overwrite):
-    from firebreak_gis import plan_files
+    from firebreak_gis.planning import outputs
     from firebreak_gis.report import overview
     from firebreak_gis.vectors import write_vector
 
@@ -146,10 +146,10 @@ def _plan(folder, variant, overwrite):
     # Drawing the real figure takes a second, and files with several layers are a kind of their own.
     with (
         mock.patch.object(overview, "overview_figure", return_value=drawing(variant)),
-        mock.patch.object(plan_files, "write_segments", one_layer),
-        mock.patch.object(plan_files, "write_compartments", one_layer),
+        mock.patch.object(outputs, "write_segments", one_layer),
+        mock.patch.object(outputs, "write_compartments", one_layer),
     ):
-        plan_files.write_plan(small_plan(variant), folder, parameters={"seed": variant}, overwrite=overwrite)
+        outputs.write_plan(small_plan(variant), folder, parameters={"seed": variant}, overwrite=overwrite)
 
 
 WRITERS = {

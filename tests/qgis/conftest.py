@@ -57,8 +57,9 @@ def engine_wheel(tmp_path):
 
 def firebreak(*words: object) -> None:
     """Run the command line."""
-    subprocess.run([os.environ["FIREBREAK_PYTHON"], "-I", "-X", "utf8", "-m", "firebreak_gis", *map(str, words), "-q"],
-                   check=True)  # fmt: skip
+    subprocess.run(
+        [os.environ["FIREBREAK_PYTHON"], "-I", "-X", "utf8", "-m", "firebreak_gis", *map(str, words), "-q"], check=True
+    )
 
 
 @pytest.fixture(scope="session")
@@ -70,19 +71,81 @@ def reference(data, tmp_path_factory):
     firebreak("align", "--res", QUICK["RESOLUTION"], "-o", folder / "landscape", dem, vegetation, density)
     firebreak("network", "--wind-speed", 8, "--wind-from", 315, "-o", folder / "network.tif", folder / "landscape")
     firebreak("rank", "--method", "bonacich", "-p", "beta=0.3", "-o", folder / "priority.tif", folder / "network.tif")
-    firebreak("breaks", "--budget", 0.08, "--polygons", folder / "breaks.gpkg", "-o", folder / "breaks.tif",
-              folder / "priority.tif")  # fmt: skip
-    firebreak("segments", "--priority", folder / "priority.tif", "--dem", dem, "--compartments",
-              folder / "compartments.gpkg", "-o", folder / "segments.gpkg", folder / "network.tif",
-              folder / "breaks.tif")  # fmt: skip
-    firebreak("compare", *runs, "--methods", "degree,random", "--budgets", "0.05,0.1", "--residuals", "0,0.1", "-o",
-              folder / "comparison", folder / "network.tif")  # fmt: skip
-    firebreak("burn", *runs, "--breaks", folder / "breaks.tif", "--ignitions", data / "ignitions.gpkg", "--sizes",
-              folder / "sizes.csv", "-o", folder / "burn_frequency.tif", folder / "network.tif")  # fmt: skip
-    firebreak("evaluate", *runs, "--methods", "degree,random", "--budgets", "0,0.1,0.2", "-o", folder / "evaluation",
-              folder / "network.tif")  # fmt: skip
-    firebreak("plan", "--res", QUICK["RESOLUTION"], *runs, "--method", "degree", "--ignitions", data / "ignitions.gpkg",
-              "-o", folder / "plan", dem, vegetation, density)  # fmt: skip
+    firebreak(
+        "breaks",
+        "--budget",
+        0.08,
+        "--polygons",
+        folder / "breaks.gpkg",
+        "-o",
+        folder / "breaks.tif",
+        folder / "priority.tif",
+    )
+    firebreak(
+        "segments",
+        "--priority",
+        folder / "priority.tif",
+        "--dem",
+        dem,
+        "--compartments",
+        folder / "compartments.gpkg",
+        "-o",
+        folder / "segments.gpkg",
+        folder / "network.tif",
+        folder / "breaks.tif",
+    )
+    firebreak(
+        "compare",
+        *runs,
+        "--methods",
+        "degree,random",
+        "--budgets",
+        "0.05,0.1",
+        "--residuals",
+        "0,0.1",
+        "-o",
+        folder / "comparison",
+        folder / "network.tif",
+    )
+    firebreak(
+        "burn",
+        *runs,
+        "--breaks",
+        folder / "breaks.tif",
+        "--ignitions",
+        data / "ignitions.gpkg",
+        "--sizes",
+        folder / "sizes.csv",
+        "-o",
+        folder / "burn_frequency.tif",
+        folder / "network.tif",
+    )
+    firebreak(
+        "evaluate",
+        *runs,
+        "--methods",
+        "degree,random",
+        "--budgets",
+        "0,0.1,0.2",
+        "-o",
+        folder / "evaluation",
+        folder / "network.tif",
+    )
+    firebreak(
+        "plan",
+        "--res",
+        QUICK["RESOLUTION"],
+        *runs,
+        "--method",
+        "degree",
+        "--ignitions",
+        data / "ignitions.gpkg",
+        "-o",
+        folder / "plan",
+        dem,
+        vegetation,
+        density,
+    )
     return folder
 
 

@@ -43,9 +43,17 @@ def begin():
     QgsProject.instance().read(PROJECT)
     folder = Path(PROJECT).parents[2] / "sample_data"
     layers = {f"INPUT_{n.upper()}": str(folder / f"{n}.tif") for n in ("dem", "vegetation", "density")}
-    processing.runAndLoadResults("firebreak:plan", {
-        **layers, "BUDGET": BUDGET, "N_RUNS": FIRES, "OUTPUT_BREAKS": "TEMPORARY_OUTPUT",
-        "OUTPUT_SEGMENTS": "TEMPORARY_OUTPUT", "OUTPUT_FREQUENCY_WITH_BREAKS": "TEMPORARY_OUTPUT"})  # fmt: skip
+    processing.runAndLoadResults(
+        "firebreak:plan",
+        {
+            **layers,
+            "BUDGET": BUDGET,
+            "N_RUNS": FIRES,
+            "OUTPUT_BREAKS": "TEMPORARY_OUTPUT",
+            "OUTPUT_SEGMENTS": "TEMPORARY_OUTPUT",
+            "OUTPUT_FREQUENCY_WITH_BREAKS": "TEMPORARY_OUTPUT",
+        },
+    )
     settle(1000, arrange)
 
 

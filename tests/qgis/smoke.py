@@ -93,12 +93,16 @@ class Smoke:
         self.firebreak("align", "--res", 90, "-o", coarse, *(word.partition("=")[2] for word in self.layers))
         model = ROOT / "qgis_plugin" / "sample" / "breaks_and_burns.model3"
         given = {
-            **{name: coarse / f"{file}.tif" for name, file in
-               (("dem", "elevation"), ("vegetation", "vegetation"), ("density", "density"))},
-            "budget": 0.05, "runs": 10, "breaks:Fire breaks": made / "breaks.tif",
+            **{
+                name: coarse / f"{file}.tif"
+                for name, file in (("dem", "elevation"), ("vegetation", "vegetation"), ("density", "density"))
+            },
+            "budget": 0.05,
+            "runs": 10,
+            "breaks:Fire breaks": made / "breaks.tif",
             "with:Burn frequency with the breaks": made / "with.tif",
             "without:Burn frequency without breaks": made / "without.tif",
-        }  # fmt: skip
+        }
         done = self.call("run", str(model), "--", *(f"{key}={value}" for key, value in given.items()))
         assert done.returncode == 0, done.stdout + done.stderr
         self.firebreak("network", "-o", own / "network.tif", coarse)
@@ -133,8 +137,15 @@ class Smoke:
         commands = re.search(r"<!-- qgis_process -->\n```bash\n(.*?)```", text, re.DOTALL)
         environment = {k: v for k, v in self.environment.items() if k not in ("FIREBREAK_PYTHON", "QGIS_PLUGINPATH")}
         environment["QGIS_CUSTOM_CONFIG_PATH"] = str(clone / "config")
-        done = subprocess.run(["bash", "-euo", "pipefail", "-c", commands[1]], cwd=clone, env=environment, check=False,
-                              capture_output=True, text=True, timeout=240)  # fmt: skip
+        done = subprocess.run(
+            ["bash", "-euo", "pipefail", "-c", commands[1]],
+            cwd=clone,
+            env=environment,
+            check=False,
+            capture_output=True,
+            text=True,
+            timeout=240,
+        )
         assert done.returncode == 0, done.stdout + done.stderr
         assert len(self.cells(clone / "out" / "breaks.tif")) > 1000
         assert (clone / "out" / "segments.gpkg").is_file()
@@ -236,9 +247,17 @@ def main() -> None:
         sys.exit("qgis_process is not installed")
     with tempfile.TemporaryDirectory(prefix="firebreak smoke ") as name:
         smoke = Smoke(Path(name))
-        for check in (smoke.check_provider, smoke.check_plan, smoke.check_json, smoke.check_missing_engine,
-                      smoke.check_wrong_crs, smoke.check_stop, smoke.check_isolation, smoke.check_model,
-                      smoke.check_readme):  # fmt: skip
+        for check in (
+            smoke.check_provider,
+            smoke.check_plan,
+            smoke.check_json,
+            smoke.check_missing_engine,
+            smoke.check_wrong_crs,
+            smoke.check_stop,
+            smoke.check_isolation,
+            smoke.check_model,
+            smoke.check_readme,
+        ):
             begun = time.monotonic()
             check()
             print(f"{check.__name__.replace('_', ' ')}: {time.monotonic() - begun:.1f} s", flush=True)

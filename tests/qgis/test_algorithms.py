@@ -63,46 +63,77 @@ def test_align(layers, reference, tmp_path):
 
 
 def test_network_of_raw_layers(layers, reference, tmp_path):
-    found = run("network", **layers, RESOLUTION=QUICK["RESOLUTION"], WIND_SPEED=8, WIND_FROM=315,
-                OUTPUT_NETWORK=str(tmp_path / "n.tif"))  # fmt: skip
+    found = run(
+        "network",
+        **layers,
+        RESOLUTION=QUICK["RESOLUTION"],
+        WIND_SPEED=8,
+        WIND_FROM=315,
+        OUTPUT_NETWORK=str(tmp_path / "n.tif"),
+    )
     assert cells(found["OUTPUT_NETWORK"]) == cells(reference / "network.tif")
     assert found["BURNABLE_CELLS"] > 1000
 
 
 def test_network_of_aligned_layers(reference, tmp_path):
-    aligned = {f"INPUT_{name}": str(reference / "landscape" / f"{file}.tif") for name, file in
-               (("DEM", "elevation"), ("VEGETATION", "vegetation"), ("DENSITY", "density"))}  # fmt: skip
+    aligned = {
+        f"INPUT_{name}": str(reference / "landscape" / f"{file}.tif")
+        for name, file in (("DEM", "elevation"), ("VEGETATION", "vegetation"), ("DENSITY", "density"))
+    }
     found = run("network", **aligned, WIND_SPEED=8, WIND_FROM=315, OUTPUT_NETWORK=str(tmp_path / "n.tif"))
     assert cells(found["OUTPUT_NETWORK"]) == cells(reference / "network.tif")
 
 
 def test_rank(reference, tmp_path):
-    found = run("rank", INPUT_NETWORK=str(reference / "network.tif"), METHOD="bonacich", BONACICH_BETA=0.3,
-                OUTPUT_PRIORITY=str(tmp_path / "p.tif"))  # fmt: skip
+    found = run(
+        "rank",
+        INPUT_NETWORK=str(reference / "network.tif"),
+        METHOD="bonacich",
+        BONACICH_BETA=0.3,
+        OUTPUT_PRIORITY=str(tmp_path / "p.tif"),
+    )
     assert cells(found["OUTPUT_PRIORITY"]) == cells(reference / "priority.tif")
 
 
 def test_breaks(reference, tmp_path):
-    found = run("breaks", INPUT_PRIORITY=str(reference / "priority.tif"), BUDGET=0.08,
-                OUTPUT_BREAKS=str(tmp_path / "b.tif"), OUTPUT_BREAK_POLYGONS=str(tmp_path / "b.gpkg"))  # fmt: skip
+    found = run(
+        "breaks",
+        INPUT_PRIORITY=str(reference / "priority.tif"),
+        BUDGET=0.08,
+        OUTPUT_BREAKS=str(tmp_path / "b.tif"),
+        OUTPUT_BREAK_POLYGONS=str(tmp_path / "b.gpkg"),
+    )
     assert cells(found["OUTPUT_BREAKS"]) == cells(reference / "breaks.tif")
     assert features(found["OUTPUT_BREAK_POLYGONS"]) == features(reference / "breaks.gpkg")
     assert found["CELLS_CUT"] == sum(map(sum, ([v == 1 for v in row] for row in cells(reference / "breaks.tif")[0])))
 
 
 def test_burn(data, reference, tmp_path):
-    found = run("burn", INPUT_NETWORK=str(reference / "network.tif"), INPUT_BREAKS=str(reference / "breaks.tif"),
-                INPUT_IGNITIONS=str(data / "ignitions.gpkg"), N_RUNS=QUICK["N_RUNS"],
-                OUTPUT_FREQUENCY=str(tmp_path / "f.tif"), OUTPUT_FIRE_SIZES=str(tmp_path / "s.csv"))  # fmt: skip
+    found = run(
+        "burn",
+        INPUT_NETWORK=str(reference / "network.tif"),
+        INPUT_BREAKS=str(reference / "breaks.tif"),
+        INPUT_IGNITIONS=str(data / "ignitions.gpkg"),
+        N_RUNS=QUICK["N_RUNS"],
+        OUTPUT_FREQUENCY=str(tmp_path / "f.tif"),
+        OUTPUT_FIRE_SIZES=str(tmp_path / "s.csv"),
+    )
     assert cells(found["OUTPUT_FREQUENCY"]) == cells(reference / "burn_frequency.tif")
     assert Path(found["OUTPUT_FIRE_SIZES"]).read_bytes() == (reference / "sizes.csv").read_bytes()
     assert 0 < found["MEAN_BURNT_SHARE"] <= found["MAX_BURNT_SHARE"] <= 1
 
 
 def test_evaluate(reference, tmp_path):
-    found = run("evaluate", INPUT_NETWORK=str(reference / "network.tif"), METHODS=["degree", "random"],
-                BUDGETS="0,0.1,0.2", N_RUNS=QUICK["N_RUNS"], OUTPUT_EVALUATION=str(tmp_path / "e.csv"),
-                OUTPUT_FIGURE=str(tmp_path / "e.png"), OUTPUT_FIGURE_SVG=str(tmp_path / "e.svg"))  # fmt: skip
+    found = run(
+        "evaluate",
+        INPUT_NETWORK=str(reference / "network.tif"),
+        METHODS=["degree", "random"],
+        BUDGETS="0,0.1,0.2",
+        N_RUNS=QUICK["N_RUNS"],
+        OUTPUT_EVALUATION=str(tmp_path / "e.csv"),
+        OUTPUT_FIGURE=str(tmp_path / "e.png"),
+        OUTPUT_FIGURE_SVG=str(tmp_path / "e.svg"),
+    )
     kept = reference / "evaluation" / "evaluation.csv"
     assert Path(found["OUTPUT_EVALUATION"]).read_bytes() == kept.read_bytes()
     assert Path(found["OUTPUT_FIGURE"]).read_bytes()[:4] == b"\x89PNG"
@@ -110,19 +141,33 @@ def test_evaluate(reference, tmp_path):
 
 
 def test_compare(reference, tmp_path):
-    found = run("compare", INPUT_NETWORK=str(reference / "network.tif"), METHODS=["degree", "random"],
-                BUDGETS="0.05,0.1", RESIDUALS="0,0.1", N_RUNS=QUICK["N_RUNS"],
-                OUTPUT_COMPARISON=str(tmp_path / "c.csv"), OUTPUT_FIGURE=str(tmp_path / "c.png"))  # fmt: skip
+    found = run(
+        "compare",
+        INPUT_NETWORK=str(reference / "network.tif"),
+        METHODS=["degree", "random"],
+        BUDGETS="0.05,0.1",
+        RESIDUALS="0,0.1",
+        N_RUNS=QUICK["N_RUNS"],
+        OUTPUT_COMPARISON=str(tmp_path / "c.csv"),
+        OUTPUT_FIGURE=str(tmp_path / "c.png"),
+    )
     kept = reference / "comparison" / "comparison.csv"
     assert Path(found["OUTPUT_COMPARISON"]).read_bytes() == kept.read_bytes()
     assert Path(found["OUTPUT_FIGURE"]).read_bytes()[:4] == b"\x89PNG"
 
 
 def test_segments(layers, reference, tmp_path):
-    given = {name: str(reference / f"{file}.tif") for name, file in
-             (("INPUT_NETWORK", "network"), ("INPUT_BREAKS", "breaks"), ("INPUT_PRIORITY", "priority"))}  # fmt: skip
-    found = run("segments", **given, INPUT_DEM=layers["INPUT_DEM"], OUTPUT_SEGMENTS=str(tmp_path / "s.gpkg"),
-                OUTPUT_COMPARTMENTS=str(tmp_path / "c.gpkg"))  # fmt: skip
+    given = {
+        name: str(reference / f"{file}.tif")
+        for name, file in (("INPUT_NETWORK", "network"), ("INPUT_BREAKS", "breaks"), ("INPUT_PRIORITY", "priority"))
+    }
+    found = run(
+        "segments",
+        **given,
+        INPUT_DEM=layers["INPUT_DEM"],
+        OUTPUT_SEGMENTS=str(tmp_path / "s.gpkg"),
+        OUTPUT_COMPARTMENTS=str(tmp_path / "c.gpkg"),
+    )
     for layer in ("lines", "polygons"):
         assert features(found["OUTPUT_SEGMENTS"], layer) == features(reference / "segments.gpkg", layer)
     assert features(found["OUTPUT_COMPARTMENTS"]) == features(reference / "compartments.gpkg")
@@ -132,22 +177,35 @@ def test_segments(layers, reference, tmp_path):
 def test_every_algorithm_has_a_test(provider):
     """Which are those that run it and compare with the command line."""
     assert {a.name() for a in provider.algorithms()} == {
-        name for name in ("align", "network", "rank", "breaks", "segments", "plan", "burn", "evaluate", "compare")
+        name
+        for name in ("align", "network", "rank", "breaks", "segments", "plan", "burn", "evaluate", "compare")
         if f'run("{name}"' in Path(__file__).read_text(encoding="utf-8") or name == "plan"
-    }  # fmt: skip
+    }
 
 
 def test_plan(data, layers, reference, tmp_path):
     told = Told()
-    outputs = {"PRIORITY": "priority.tif", "BREAKS": "breaks.tif", "FREQUENCY": "burn_frequency.tif",
-               "FREQUENCY_WITH_BREAKS": "burn_frequency_with_breaks.tif", "ELEVATION": "elevation.tif",
-               "VEGETATION": "vegetation.tif", "DENSITY": "density.tif"}  # fmt: skip
+    outputs = {
+        "PRIORITY": "priority.tif",
+        "BREAKS": "breaks.tif",
+        "FREQUENCY": "burn_frequency.tif",
+        "FREQUENCY_WITH_BREAKS": "burn_frequency_with_breaks.tif",
+        "ELEVATION": "elevation.tif",
+        "VEGETATION": "vegetation.tif",
+        "DENSITY": "density.tif",
+    }
     paths = {f"OUTPUT_{name}": str(tmp_path / "sub" / f"my {file}") for name, file in outputs.items()}
-    files = {"OUTPUT_BREAK_POLYGONS": str(tmp_path / "p.gpkg"), "OUTPUT_FIRE_SIZES": str(tmp_path / "s.csv"),
-             "OUTPUT_EVALUATION": str(tmp_path / "e.csv"), "OUTPUT_OVERVIEW": str(tmp_path / "o.png")}  # fmt: skip
-    found = processing.run("firebreak:plan", {**layers, **QUICK, **paths, **files, "METHOD": "degree",
-                                              "INPUT_IGNITIONS": str(data / "ignitions.gpkg")},
-                           feedback=told)  # fmt: skip
+    files = {
+        "OUTPUT_BREAK_POLYGONS": str(tmp_path / "p.gpkg"),
+        "OUTPUT_FIRE_SIZES": str(tmp_path / "s.csv"),
+        "OUTPUT_EVALUATION": str(tmp_path / "e.csv"),
+        "OUTPUT_OVERVIEW": str(tmp_path / "o.png"),
+    }
+    found = processing.run(
+        "firebreak:plan",
+        {**layers, **QUICK, **paths, **files, "METHOD": "degree", "INPUT_IGNITIONS": str(data / "ignitions.gpkg")},
+        feedback=told,
+    )
     for name, file in outputs.items():
         assert cells(found[f"OUTPUT_{name}"]) == cells(reference / "plan" / file), name
     assert features(found["OUTPUT_BREAK_POLYGONS"]) == features(reference / "plan" / "breaks.gpkg")
@@ -167,8 +225,13 @@ def points(data: Path) -> QgsVectorLayer:
 
 
 def burnt(reference: Path, tmp_path: Path, ignitions: object) -> list:
-    found = run("burn", INPUT_NETWORK=str(reference / "network.tif"), INPUT_IGNITIONS=ignitions, N_RUNS=4,
-                OUTPUT_FREQUENCY=str(tmp_path / "f.tif"))  # fmt: skip
+    found = run(
+        "burn",
+        INPUT_NETWORK=str(reference / "network.tif"),
+        INPUT_IGNITIONS=ignitions,
+        N_RUNS=4,
+        OUTPUT_FREQUENCY=str(tmp_path / "f.tif"),
+    )
     return cells(found["OUTPUT_FREQUENCY"])[0]
 
 
@@ -219,8 +282,16 @@ def test_a_crs_set_in_qgis_counts(data, layers, tmp_path):
 def test_extent_crs_and_density_word(layers, tmp_path):
     given = {k: v for k, v in layers.items() if k != "INPUT_DENSITY"}
     box = "586000,590000,4003000,4007000 [EPSG:32635]"
-    found = run("align", **given, DENSITY="dense", BOUNDS=box, CRS="EPSG:32635", RESOLUTION=100,
-                OUTPUT_ELEVATION=str(tmp_path / "e.tif"), OUTPUT_DENSITY=str(tmp_path / "d.tif"))  # fmt: skip
+    found = run(
+        "align",
+        **given,
+        DENSITY="dense",
+        BOUNDS=box,
+        CRS="EPSG:32635",
+        RESOLUTION=100,
+        OUTPUT_ELEVATION=str(tmp_path / "e.tif"),
+        OUTPUT_DENSITY=str(tmp_path / "d.tif"),
+    )
     values, transform, _, _ = cells(found["OUTPUT_ELEVATION"])
     assert (len(values), len(values[0]), transform[0], transform[3]) == (40, 40, 586000, 4007000)
     assert {v for row in cells(found["OUTPUT_DENSITY"])[0] for v in row} <= {0, 3, 255}
@@ -231,11 +302,31 @@ def test_extent_crs_and_density_word(layers, tmp_path):
 def test_what_a_planner_adds(data, reference, tmp_path):
     """Polygons with a field, and areas, are those of the command line."""
     villages, roads = str(data / "villages.gpkg"), str(data / "roads.gpkg")
-    firebreak("rank", "--method", "degree", "--protected", villages, "--barriers", roads, "--values", villages,
-              "--values-field", "people", "-o", tmp_path / "cli.tif", reference / "network.tif")  # fmt: skip
+    firebreak(
+        "rank",
+        "--method",
+        "degree",
+        "--protected",
+        villages,
+        "--barriers",
+        roads,
+        "--values",
+        villages,
+        "--values-field",
+        "people",
+        "-o",
+        tmp_path / "cli.tif",
+        reference / "network.tif",
+    )
     given = {"INPUT_NETWORK": str(reference / "network.tif"), "METHOD": "degree", "INPUT_BARRIERS": roads}
-    found = run("rank", **given, INPUT_PROTECTED=villages, INPUT_VALUES=villages, VALUES_FIELD="people",
-                OUTPUT_PRIORITY=str(tmp_path / "p.tif"))  # fmt: skip
+    found = run(
+        "rank",
+        **given,
+        INPUT_PROTECTED=villages,
+        INPUT_VALUES=villages,
+        VALUES_FIELD="people",
+        OUTPUT_PRIORITY=str(tmp_path / "p.tif"),
+    )
     assert cells(found["OUTPUT_PRIORITY"]) == cells(tmp_path / "cli.tif")
     plain = run("rank", **given, OUTPUT_PRIORITY=str(tmp_path / "q.tif"))
     assert cells(plain["OUTPUT_PRIORITY"]) != cells(found["OUTPUT_PRIORITY"])
@@ -243,9 +334,19 @@ def test_what_a_planner_adds(data, reference, tmp_path):
 
 def test_cost_by_classes(layers, tmp_path):
     words = "agricultural=500,shrubs=900,pines=1500"
-    runs = [run("plan", **layers, **QUICK, METHOD="degree", BUDGET=20000, BUDGET_UNIT="cost", COST=cost,
-                OUTPUT_BREAKS=str(tmp_path / f"{i}.tif"))["CELLS_CUT"]
-            for i, cost in enumerate((words, words.replace("500", "250")))]  # fmt: skip
+    runs = [
+        run(
+            "plan",
+            **layers,
+            **QUICK,
+            METHOD="degree",
+            BUDGET=20000,
+            BUDGET_UNIT="cost",
+            COST=cost,
+            OUTPUT_BREAKS=str(tmp_path / f"{i}.tif"),
+        )["CELLS_CUT"]
+        for i, cost in enumerate((words, words.replace("500", "250")))
+    ]
     assert 0 < runs[0] < runs[1]
 
 
@@ -255,8 +356,12 @@ def test_a_raster_in_the_memory_of_qgis(layers, reference, tmp_path):
     gdal.Translate(memory, layers["INPUT_DEM"])
     layer = QgsProject.instance().addMapLayer(QgsRasterLayer(memory, "dem"))
     try:
-        found = run("align", **{**layers, "INPUT_DEM": layer.id()}, RESOLUTION=QUICK["RESOLUTION"],
-                    OUTPUT_ELEVATION=str(tmp_path / "e.tif"))  # fmt: skip
+        found = run(
+            "align",
+            **{**layers, "INPUT_DEM": layer.id()},
+            RESOLUTION=QUICK["RESOLUTION"],
+            OUTPUT_ELEVATION=str(tmp_path / "e.tif"),
+        )
     finally:
         QgsProject.instance().clear()
         gdal.Unlink(memory)
@@ -282,8 +387,11 @@ def test_cancel(layers, tmp_path):
 
     told, asked = Told(), []
     told.progressChanged.connect(lambda percent: (asked.append(time.monotonic()), told.cancel()) if percent > 15 else 0)
-    found = processing.run("firebreak:plan", {**layers, "METHOD": "betweenness", "N_RUNS": 5000,
-                                              "OUTPUT_BREAKS": str(tmp_path / "b.tif")}, feedback=told)  # fmt: skip
+    found = processing.run(
+        "firebreak:plan",
+        {**layers, "METHOD": "betweenness", "N_RUNS": 5000, "OUTPUT_BREAKS": str(tmp_path / "b.tif")},
+        feedback=told,
+    )
     assert time.monotonic() - asked[0] < 1.5  # a second, and the end of the Processing framework
     assert "OUTPUT_BREAKS" not in found or not Path(found["OUTPUT_BREAKS"]).exists()
     assert list(tmp_path.iterdir()) == []
@@ -333,8 +441,10 @@ def test_provider_and_forms(provider):
             assert definition.description()
             default = definition.defaultValue()
             assert default is None or definition.checkValueIsAcceptable(default), definition.name()
-        assert all(d.defaultFileExtension() in ("tif", "gpkg", "csv", "png", "svg", "json", "html")
-                   for d in algorithm.destinationParameterDefinitions())  # fmt: skip
+        assert all(
+            d.defaultFileExtension() in ("tif", "gpkg", "csv", "png", "svg", "json", "html")
+            for d in algorithm.destinationParameterDefinitions()
+        )
     advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
     folded = {d.name() for d in names["plan"].parameterDefinitions() if d.flags() & advanced}
     assert {"CRS", "RESOLUTION", "BONACICH_BETA", "INPUT_COST", "INPUT_WIND_SPEED_RASTER"} <= folded

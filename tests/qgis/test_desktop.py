@@ -42,9 +42,16 @@ def test_outputs_are_styled_and_in_order(layers, tmp_path):
 
     project = QgsProject.instance()
     project.clear()
-    outputs = {name: QgsProcessingOutputLayerDefinition(str(tmp_path / f"{file}"), project) for name, file in (
-        ("OUTPUT_BREAKS", "a breaks.tif"), ("OUTPUT_FREQUENCY", "z frequency.tif"), ("OUTPUT_PRIORITY", "m.tif"),
-        ("OUTPUT_BREAK_POLYGONS", "b.gpkg"), ("OUTPUT_SEGMENTS", "s.gpkg"))}  # fmt: skip
+    outputs = {
+        name: QgsProcessingOutputLayerDefinition(str(tmp_path / f"{file}"), project)
+        for name, file in (
+            ("OUTPUT_BREAKS", "a breaks.tif"),
+            ("OUTPUT_FREQUENCY", "z frequency.tif"),
+            ("OUTPUT_PRIORITY", "m.tif"),
+            ("OUTPUT_BREAK_POLYGONS", "b.gpkg"),
+            ("OUTPUT_SEGMENTS", "s.gpkg"),
+        )
+    }
     algorithm = QgsApplication.processingRegistry().createAlgorithmById("firebreak:plan")
     context, feedback = QgsProcessingContext(), QgsProcessingFeedback(False)
     context.setProject(project)

@@ -10,7 +10,7 @@ from scipy.sparse import csr_array
 
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.fires import Fires
-from firebreak_gis.setting import Setting
+from firebreak_gis.stakes import Stakes
 from tests.twins.placement import burnt, loss, open_graph
 
 
@@ -24,7 +24,7 @@ class Optimum(NamedTuple):
 
 
 def optimum(
-    network: SpreadNetwork, setting: Setting, fires: Fires, *, budget: float, seconds: float = 60.0, gap: float = 1e-6
+    network: SpreadNetwork, stakes: Stakes, fires: Fires, *, budget: float, seconds: float = 60.0, gap: float = 1e-6
 ) -> Optimum:
     """Minimise the mean loss over the fires; the cells cut cost no more than `budget`, in the unit of the cost.
 
@@ -33,8 +33,8 @@ def optimum(
     """
     n_cells = network.burnable.size
     alive = network.burnable.ravel()
-    free = np.flatnonzero(alive & ~setting.protected.ravel())
-    value, cost = setting.value.ravel(), setting.cost.ravel()
+    free = np.flatnonzero(alive & ~stakes.protected.ravel())
+    value, cost = stakes.value.ravel(), stakes.cost.ravel()
     slot = np.full(n_cells, -1)
     slot[free] = np.arange(free.size)
     worth = [np.zeros(free.size)]
@@ -65,10 +65,12 @@ def optimum(
     whole = np.zeros(n)
     whole[: free.size] = 1
     answer = milp(
-        np.concatenate(worth), integrality=whole, bounds=Bounds(0, 1),
+        np.concatenate(worth),
+        integrality=whole,
+        bounds=Bounds(0, 1),
         constraints=[spread, LinearConstraint(price[None], -np.inf, budget)],
         options={"time_limit": seconds, "mip_rel_gap": gap},
-    )  # fmt: skip
+    )
     cut = np.zeros(n_cells, bool)
     if answer.x is not None:
         cut[free[answer.x[: free.size] > 0.5]] = True

@@ -103,7 +103,7 @@ def separates(network: SpreadNetwork, cut: np.ndarray) -> int:
 def minimum_cut(network: SpreadNetwork, source: np.ndarray, sink: np.ndarray, cost: np.ndarray) -> float:
     """Cost of the cheapest set of cells outside both ends that separates them; inf if there is none."""
     graph = nx.DiGraph()
-    for (a, b) in network.to_networkx().edges:
+    for a, b in network.to_networkx().edges:
         graph.add_edge((a, "out"), (b, "in"))
         graph.add_edge((b, "out"), (a, "in"))
     for cell in map(tuple, np.argwhere(network.burnable).tolist()):

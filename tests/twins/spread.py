@@ -7,19 +7,40 @@ from typing import Any
 
 #: Name, row step, column step and azimuth (degrees clockwise from north) of the eight neighbours.
 NEIGHBOURS = (
-    ("N", -1, 0, 0), ("NE", -1, 1, 45), ("E", 0, 1, 90), ("SE", 1, 1, 135),
-    ("S", 1, 0, 180), ("SW", 1, -1, 225), ("W", 0, -1, 270), ("NW", -1, -1, 315),
-)  # fmt: skip
+    ("N", -1, 0, 0),
+    ("NE", -1, 1, 45),
+    ("E", 0, 1, 90),
+    ("SE", 1, 1, 135),
+    ("S", 1, 0, 180),
+    ("SW", 1, -1, 225),
+    ("W", 0, -1, 270),
+    ("NW", -1, -1, 315),
+)
 TABLE_1 = {
-    "p0": 0.58, "a": 0.078, "c1": 0.045, "c2": 0.131,
-    "agricultural": -0.3, "shrubs": 0.0, "pines": 0.4, "sparse": -0.4, "normal": 0.0, "dense": 0.3,
-}  # fmt: skip
+    "p0": 0.58,
+    "a": 0.078,
+    "c1": 0.045,
+    "c2": 0.131,
+    "agricultural": -0.3,
+    "shrubs": 0.0,
+    "pines": 0.4,
+    "sparse": -0.4,
+    "normal": 0.0,
+    "dense": 0.3,
+}
 
 
 def edge(
-    *, rise: float, distance: float, vegetation: int, density: int, azimuth: float, wind_speed: float,
-    wind_from: float, parameters: dict[str, float],
-) -> float:  # fmt: skip
+    *,
+    rise: float,
+    distance: float,
+    vegetation: int,
+    density: int,
+    azimuth: float,
+    wind_speed: float,
+    wind_from: float,
+    parameters: dict[str, float],
+) -> float:
     """p(l -> k); `vegetation` and `density` are those of k, `rise` is z_k - z_l."""
     p = parameters
     type_effect = (p["agricultural"], p["shrubs"], p["pines"])[vegetation - 1]

@@ -1,0 +1,83 @@
+"""firebreak segments: a network and a break mask in, segments to build out."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from firebreak_gis.cli import kinds, options, stakes
+from firebreak_gis.cli.session import Session
+
+
+@click.command("segments")
+@click.argument("network", type=kinds.RASTER)
+@click.argument("mask", metavar="BREAKS", type=kinds.RASTER)
+@click.option(
+    "-o",
+    "--output",
+    type=kinds.NEW_VECTOR,
+    metavar="FILE",
+    required=True,
+    help="GeoPackage to write, with the layers lines and polygons.",
+)
+@click.option(
+    "--compartments",
+    type=kinds.NEW_VECTOR,
+    metavar="FILE",
+    help="Also write the compartments between the breaks as a GeoPackage.",
+)
+@click.option(
+    "--priority",
+    type=kinds.RASTER,
+    metavar="RASTER",
+    help="Ranking; decides between segments that save equally much.",
+)
+@click.option("--dem", type=kinds.RASTER, metavar="RASTER", help="Elevation on any grid, for the slopes [m].")
+@options.ignition_map
+@stakes.stakes
+@click.option("--overwrite", is_flag=True, help="Replace existing files.")
+@options.common
+def command(session: Session, network: str, mask: str, output: str, **given: Any) -> None:
+    """Take BREAKS on NETWORK apart into segments to build, best first.
+
+    Each segment separates two compartments of fuel, and has an order of building, a length, width, area, mean slope
+    and cost, and the share of all that the breaks save that it adds.
+    """
+    from firebreak_gis.construction.compartments import compartments
+    from firebreak_gis.construction.segments import segments
+    from firebreak_gis.construction.writing import write_compartments, write_segments
+    from firebreak_gis.files import require_writable
+    from firebreak_gis.landscape.planes import value_plane
+    from firebreak_gis.rasters import files_behind, read_variable
+    from firebreak_gis.spread.raster import read_network
+
+    named = (given["priority"], given["dem"], given["ignitions"])
+    inputs = files_behind([network, mask, *filter(None, named), *stakes.stake_files(given)])
+    files = [output] + ([given["compartments"]] if given["compartments"] else [])
+    for name in files:
+        require_writable(name, overwrite=given["overwrite"], forbid=inputs)
+    spread, at_stake = stakes.network_and_stakes(read_network(network), given)
+    cut = read_variable(mask, "breaks")
+    session.progress(0.2, "segments")
+    lines, polygons = segments(
+        spread,
+        cut,
+        priority=read_variable(given["priority"], "priority") if given["priority"] else None,
+        elevation=value_plane(given["dem"], spread.grid, what="elevation", fill=float("nan")) if given["dem"] else None,
+        cost=at_stake.cost,
+        value=at_stake.value,
+        ignition=at_stake.ignition,
+    )
+    session.progress(0.7, "compartments")
+    _, table = compartments(spread, cut, value=at_stake.value, ignition=at_stake.ignition)
+    write_segments(output, lines, polygons, overwrite=given["overwrite"], forbid=inputs)
+    if given["compartments"]:
+        write_compartments(given["compartments"], table, overwrite=given["overwrite"], forbid=inputs)
+    length = float(lines["length_m"].sum()) / 1000.0
+    stages = int(polygons["stage"].max()) if len(polygons) else 0
+    session.finish(
+        {"files": files, "segments": len(polygons), "stages": stages, "km": length, "compartments": len(table)},
+        f"{len(polygons)} segments in {stages} stages, {length:,.1f} km, between {len(table)} compartments; "
+        f"written to {', '.join(files)}",
+    )

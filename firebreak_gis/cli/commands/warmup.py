@@ -1,0 +1,75 @@
+"""firebreak warmup: compile the kernels before they are needed."""
+
+from __future__ import annotations
+
+import time
+
+import click
+
+from firebreak_gis.cli import options
+from firebreak_gis.cli.session import Session
+
+
+@click.command("warmup")
+@options.common
+def command(session: Session) -> None:
+    """Compile every kernel once, so that later runs start at once.
+
+    The compiled code is kept beside the package, or in NUMBA_CACHE_DIR if that is set.
+    """
+    from firebreak_gis import plugins
+    from firebreak_gis.evaluation.curves import evaluate
+    from firebreak_gis.ranking import rank
+    from firebreak_gis.simulation.fires import simulate
+    from firebreak_gis.spread import spread_network
+    from firebreak_gis.spread.artificial import forest
+
+    started = time.perf_counter()
+    network = spread_network(forest((40, 50)), model="artificial")
+    names = plugins.names("ranking")
+    priorities = {}
+    for i, name in enumerate(names):
+        session.progress(i / (len(names) + 2), name)
+        priorities[name] = rank(network, name)
+    session.progress(len(names) / (len(names) + 2), "fires")
+    # Few runs are made one by one, many 64 at once: both kernels.
+    for n_runs in (2, 200):
+        simulate(network, value=None, n_runs=n_runs)
+        evaluate(network, {"random": priorities["random"]}, budgets=[0.0, 0.1], n_runs=n_runs)
+    _warm_landscape()
+    _warm_large()
+    seconds = time.perf_counter() - started
+    session.finish({"seconds": seconds}, f"kernels ready after {seconds:.1f} s")
+
+
+def _warm_large() -> None:
+    """Compile what only a large network needs, on a small one that is treated as such."""
+    import numpy as np
+
+    from firebreak_gis.kernels.linear import katz
+    from firebreak_gis.kernels.spectrum import perron_vector
+
+    # One dense spot in thin fuel, so that the eigenvector is localised and its bound must be raised.
+    probability = np.full((8, 90, 100), 0.05, np.float32)
+    probability[:, 20:30, 20:30] = 0.9
+    probability[:, 60:68, 60:68] = 0.8
+    perron_vector(probability, boundary="periodic", direct_cells=0)
+    katz(probability, 0.1, 0.99, boundary="periodic")
+
+
+def _warm_landscape() -> None:
+    """Compile what only a real landscape needs."""
+    import numpy as np
+    import xarray as xr
+
+    from firebreak_gis.grid import Grid
+    from firebreak_gis.spread import spread_network
+
+    grid = Grid((4, 5))
+    planes: dict[str, np.ndarray] = {
+        "elevation": np.zeros(grid.shape, np.float32),
+        "vegetation": np.ones(grid.shape, np.uint8),
+        "density": np.ones(grid.shape, np.uint8),
+        "burnable": np.ones(grid.shape, bool),
+    }
+    spread_network(xr.Dataset({name: grid.dataarray(plane, name) for name, plane in planes.items()}))

@@ -1,0 +1,303 @@
+"""Breaks as segments to build: lines and polygons with an order, sizes, costs and what they separate."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.construction.centrelines import Borders, draw_lines, find_borders
+from firebreak_gis.construction.compartments import Compartments, outlines, split, weights
+from firebreak_gis.construction.sequence import building_order, gains
+from firebreak_gis.lattice import COL_STEP, ROW_STEP
+
+if TYPE_CHECKING:
+    import geopandas as gpd
+    import xarray as xr
+
+    from firebreak_gis.network import SpreadNetwork
+
+    Plane = np.ndarray | xr.DataArray
+
+
+def segments(
+    network: SpreadNetwork,
+    breaks: Plane,
+    *,
+    priority: Plane | None = None,
+    elevation: Plane | None = None,
+    cost: Plane | None = None,
+    value: Plane | None = None,
+    ignition: Plane | None = None,
+) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
+    """Take breaks apart into segments that each separate two compartments.
+
+    Every cut cell is in exactly one segment. Cells between more than two compartments belong to the segment that is
+    built first. Pieces that separate nothing, such as spurs and patches, are segments without compartments.
+
+    Parameters
+    ----------
+    network
+        The spread network before cutting.
+    breaks
+        (y, x), above 0 where the fuel is cut.
+    priority
+        (y, x) ranking; decides between segments that save equally much for their cost, higher first.
+    elevation
+        (y, x) [m], for the slope.
+    cost
+        (y, x) cost of cutting the cell, any one unit, at least 0. Default: 1 on fuel.
+    value, ignition
+        As in `compartments`.
+
+    Returns
+    -------
+    lines : geopandas.GeoDataFrame
+        Middle lines of the segments that separate compartments, sorted by `order`.
+    polygons : geopandas.GeoDataFrame
+        Outlines of all segments, sorted by `order`; valid.
+
+    Raises
+    ------
+    GridError
+        If a layer lies on another grid, or cells are not square.
+    InputError
+        If costs, values or ignitions are negative, infinite or missing on fuel.
+
+    Notes
+    -----
+    Both have the columns
+
+    * `order`: place in the order of building, from 1, see `firebreak_gis.construction.sequence.building_order`;
+    * `stage`: segments of one stage lie between the same two compartments of what is built by then, and work only
+      once all of them stand;
+    * `length_m`, `width_m` (mean: area / length): NaN for segments without a line;
+    * `cells`, `area_ha`;
+    * `mean_slope_deg`: of the terrain at the cells, NaN without elevation;
+    * `cost`;
+    * `compartment_a`, `compartment_b`: numbers as in `compartments`, a < b; both 0 for pieces that separate nothing;
+    * `gain`: drop of the expected loss when the segment is built at its turn, in the unit of value, by the model of
+      `compartments`; all gains and the expected loss with all breaks add up to that without breaks;
+    * `gain_share`: of the sum of gains;
+    * `stage_gain_share`: that of the whole stage, the same for all its segments. Before its last segment a stage saves
+      hardly anything.
+
+    Two pieces of break between the same compartments are two segments. On a torus lines end at the seam. Cost:
+    linear in the cells; in the number of segments at most quadratic, with small factors.
+    """
+    cut = network.mask(breaks, "breaks")
+    parts = split(network, cut, value=value, ignition=ignition)
+    borders = find_borders(parts.labels, cut, periodic=network.boundary == "periodic")
+    price = weights(network, cost, "cost")
+    pieces = _find_pieces(network, parts, borders, cut)
+    score = _mean_score(network, priority, pieces)
+    stages = building_order(
+        pieces.sides,
+        cost=pieces.total(price),
+        ignition=pieces.total(parts.ignition),
+        value=pieces.total(parts.value),
+        compartment_ignition=parts.ignition_mass,
+        compartment_value=parts.value_mass,
+        score=score,
+    )
+    owner, position, order, stage = _settle(pieces, stages)
+    saved = gains(position, owner, parts.labels.ravel(), parts.links, parts.ignition.ravel(), parts.value.ravel())[
+        order
+    ]
+    sides = np.where(pieces.sides[order, 1:] > 0, pieces.sides[order], 0)
+    share = saved / max(float(saved.sum()), np.finfo(float).tiny)
+    columns = {
+        "stage": stage,
+        "compartment_a": sides[:, 0],
+        "compartment_b": sides[:, 1],
+        "gain": saved,
+        "gain_share": share,
+        "stage_gain_share": np.bincount(stage, weights=share)[stage] if stage.size else share,
+        **_columns(network, owner, order, price, _slope(network, elevation)),
+    }
+    return _frames(network, owner, order, columns, borders)
+
+
+@dataclass(frozen=True)
+class _Pieces:
+    """Segments before the cells between several of them are settled; the stretches of border come first.
+
+    `sides` (n, 2) compartments, (a, b), (a, 0) or (0, 0); `main` (cells,) nearest segment of cut cells, -1 for others;
+    `cell`, `piece` (m,) all segments that a cut cell may belong to.
+    """
+
+    sides: np.ndarray
+    main: np.ndarray
+    cell: np.ndarray
+    piece: np.ndarray
+
+    def total(self, plane: np.ndarray) -> np.ndarray:
+        """Sum over the nearest cells of each segment."""
+        inside = self.main >= 0
+        return np.bincount(self.main[inside], weights=plane.ravel()[inside], minlength=len(self.sides))
+
+
+def _find_pieces(network: SpreadNetwork, parts: Compartments, borders: Borders, cut: np.ndarray) -> _Pieces:
+    from scipy import ndimage
+
+    loose, n_loose = ndimage.label(cut & (borders.reached < 0), structure=np.ones((3, 3)))
+    main = np.where(loose > 0, len(borders.pair) + loose.astype(np.int64) - 1, borders.reached).ravel()
+    cell, compartment = _touches(parts, cut)
+    sides = np.concatenate([borders.pair, np.zeros((n_loose, 2), np.int64)])
+    own = main[cell] >= len(borders.pair)
+    for piece, k in np.unique(np.column_stack([main[cell][own], compartment[own]]), axis=0).tolist():
+        empty = np.flatnonzero(sides[piece] == 0)
+        sides[piece, empty[:1]] = k
+    inside = np.flatnonzero(cut)
+    near_cell, near_stretch = _between(network, borders, cell * (parts.cells.size + 1) + compartment, parts.cells.size)
+    claims = np.unique(
+        np.column_stack(
+            [
+                np.concatenate([inside, borders.cell, near_cell]),
+                np.concatenate([main[inside], borders.cell_stretch, near_stretch]),
+            ]
+        ),
+        axis=0,
+    )
+    return _Pieces(sides, main, claims[:, 0], claims[:, 1])
+
+
+def _touches(parts: Compartments, cut: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Cut cells and the compartments that fire could pass to or from, each pair once, sorted."""
+    labels, wall = parts.labels.ravel(), cut.ravel()
+    one, other = np.concatenate([parts.links, parts.links[::-1]], axis=1).astype(np.int64)
+    meets = wall[one] & (labels[other] > 0)
+    key = np.unique(one[meets] * (parts.cells.size + 1) + labels[other[meets]])
+    return np.divmod(key, parts.cells.size + 1)
+
+
+def _between(
+    network: SpreadNetwork, borders: Borders, touches: np.ndarray, n_parts: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Cells beside a border that touch both of its compartments, with its stretch: a gap there would open it too."""
+    rows, cols = network.shape
+    row, col = np.divmod(borders.cell, cols)
+    found = [np.zeros((2, 0), np.int64)]
+    for dr, dc in zip(ROW_STEP, COL_STEP, strict=True):
+        r, c = row + dr, col + dc
+        inside = (r >= 0) & (r < rows) & (c >= 0) & (c < cols) | (network.boundary == "periodic")
+        near = (r % rows * cols + c % cols)[inside]
+        stretch = borders.cell_stretch[inside]
+        keys = near[:, np.newaxis] * (n_parts + 1) + borders.pair[stretch]
+        both = np.isin(keys, touches).all(axis=1)
+        found.append(np.array([near[both], stretch[both]]))
+    near, stretch = np.concatenate(found, axis=1)
+    return near, stretch
+
+
+def _mean_score(network: SpreadNetwork, priority: Plane | None, pieces: _Pieces) -> np.ndarray:
+    """Mean finite priority of each segment; -inf for those without."""
+    if priority is None:
+        return np.zeros(len(pieces.sides))
+    values = network.plane(priority, "priority").astype(np.float64)
+    finite = np.isfinite(values)
+    n = pieces.total(finite)
+    total = pieces.total(np.where(finite, values, 0.0))
+    return np.where(n > 0, total / np.maximum(n, 1), -np.inf)
+
+
+def _settle(pieces: _Pieces, stages: list[list[int]]) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Give each cut cell to the segment that is built first of those that it may belong to.
+
+    Segments that are left without a cell are not built.
+
+    Returns
+    -------
+    owner
+        (cells,) segment of each cell, -1 for cells that are not cut.
+    position
+        (n,) place of each segment in the order of building, also of those that are not built.
+    order
+        Segments that are built, in that order.
+    stage
+        Stage of each of them, from 1.
+    """
+    n = len(pieces.sides)
+    every = np.array([i for members in stages for i in members], dtype=np.int64)
+    number = np.array([k for k, members in enumerate(stages) for _ in members], dtype=np.int64)
+    position = np.empty(n, np.int64)
+    position[every] = np.arange(n)
+    best = np.full(pieces.main.size, n)
+    np.minimum.at(best, pieces.cell, position[pieces.piece])
+    built = np.unique(best[best < n])
+    stage = np.unique(number[built], return_inverse=True)[1].ravel() + 1
+    return np.append(every, -1)[best], position, every[built], stage
+
+
+def _slope(network: SpreadNetwork, elevation: Plane | None) -> np.ndarray:
+    """Slope of the terrain from central differences [degrees], (rows, cols); NaN where unknown."""
+    if elevation is None:
+        return np.full(network.shape, np.nan)
+    height = network.plane(elevation, "elevation").astype(np.float64)
+    steps = [
+        np.gradient(height, network.grid.cell_size, axis=axis) if height.shape[axis] > 1 else np.zeros_like(height)
+        for axis in (0, 1)
+    ]
+    slope: np.ndarray = np.degrees(np.arctan(np.hypot(steps[0], steps[1])))
+    return slope
+
+
+def _columns(
+    network: SpreadNetwork, owner: np.ndarray, order: np.ndarray, price: np.ndarray, slope: np.ndarray
+) -> dict[str, np.ndarray]:
+    """Sizes, costs and slopes of the segments in `order`."""
+    inside = owner >= 0
+    n = int(owner.max(initial=-1)) + 1
+
+    def total(plane: np.ndarray) -> np.ndarray:
+        sums: np.ndarray = np.bincount(owner[inside], weights=plane.ravel()[inside], minlength=n)[order]
+        return sums
+
+    known = np.isfinite(slope)
+    n_known = total(known)
+    cells = np.bincount(owner[inside], minlength=n)[order]
+    return {
+        "cells": cells,
+        "area_ha": cells * network.grid.cell_area_ha,
+        "mean_slope_deg": np.where(n_known > 0, total(np.where(known, slope, 0.0)) / np.maximum(n_known, 1), np.nan),
+        "cost": total(price),
+    }
+
+
+def _frames(
+    network: SpreadNetwork, owner: np.ndarray, order: np.ndarray, columns: dict[str, np.ndarray], borders: Borders
+) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
+    """Lines and polygons of the segments in `order`, which `columns` follow."""
+    import geopandas as gpd
+
+    grid = network.grid
+    number = np.zeros(int(owner.max(initial=-1)) + 2, np.int32)  # the last entry is for cells in no segment
+    number[order] = np.arange(1, order.size + 1)
+    drawn = draw_lines(borders, grid.transform)
+    lined = np.flatnonzero(order < len(drawn))
+    lines = [drawn[i] for i in order[lined]]
+    length = np.full(order.size, np.nan)
+    length[lined] = [line.length for line in lines]
+    sizes = {"length_m": length, "width_m": columns["area_ha"] * 10_000.0 / length}
+    names = (
+        "order",
+        "stage",
+        "length_m",
+        "width_m",
+        "cells",
+        "area_ha",
+        "mean_slope_deg",
+        "cost",
+        "compartment_a",
+        "compartment_b",
+        "gain",
+        "gain_share",
+        "stage_gain_share",
+    )
+    table = {"order": np.arange(1, order.size + 1), **columns, **sizes}
+    table = {name: table[name] for name in names}
+    polygons = gpd.GeoDataFrame(
+        table, geometry=outlines(number[owner].reshape(network.shape), order.size, grid), crs=grid.crs
+    )
+    return gpd.GeoDataFrame({name: table[name][lined] for name in names}, geometry=lines, crs=grid.crs), polygons

@@ -1,0 +1,221 @@
+"""How good a plan is: R(d_f) of rankings on the same fires, and whether they differ from a baseline."""
+
+from __future__ import annotations
+
+import typing
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.progress import Progress, part
+from firebreak_gis.simulation.fires import burn_curve
+from firebreak_gis.simulation.ignitions import IgnitionMode
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+    from firebreak_gis.network import SpreadNetwork
+
+Test = Literal["wilcoxon", "ranksum", "t"]
+
+
+def evaluate(
+    network: SpreadNetwork,
+    priorities: Mapping[str, np.ndarray | xr.DataArray],
+    *,
+    budgets: Sequence[float] | np.ndarray,
+    baseline: str = "random",
+    ignitions: Any = None,
+    ignition_mode: IgnitionMode = "each",
+    n_runs: int = 100,
+    seed: int = 0,
+    test: Test = "wilcoxon",
+    alpha: float = 0.01,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Burn the same fires under several rankings at every budget.
+
+    Parameters
+    ----------
+    network
+        The spread network before cutting.
+    priorities
+        Priority raster by method name; must hold `baseline`.
+    budgets
+        Shares d_f of the cells that hold fuel, rising.
+    baseline
+        Method that the others are tested against.
+    ignitions, ignition_mode, n_runs, seed, threads, progress
+        As in `simulate`.
+    test, alpha
+        See `compare`; significance threshold.
+
+    Returns
+    -------
+    xarray.Dataset
+        As `summarise` returns it.
+
+    Raises
+    ------
+    ParameterError, InputError, GridError
+        As `summarise` and `simulate`; the baseline is looked for before the first fire.
+    """
+    _require_choice(priorities, baseline, test)
+    shares = {}
+    for i, (name, priority) in enumerate(priorities.items()):
+        step = part(progress, i / len(priorities), (i + 1) / len(priorities), f"{name}: ")
+        burnt = burn_curve(
+            network,
+            priority,
+            budgets=budgets,
+            ignitions=ignitions,
+            ignition_mode=ignition_mode,
+            n_runs=n_runs,
+            seed=seed,
+            threads=threads,
+            progress=step,
+        )
+        shares[name] = burnt.to_numpy() / max(network.n_burnable, 1)
+    result = summarise(shares, budgets=budgets, baseline=baseline, test=test, alpha=alpha)
+    return result.assign_attrs(n_burnable=network.n_burnable, n_runs=n_runs, seed=seed)
+
+
+def summarise(
+    shares: Mapping[str, np.ndarray],
+    *,
+    budgets: Sequence[float] | np.ndarray,
+    baseline: str = "random",
+    test: Test = "wilcoxon",
+    alpha: float = 0.01,
+) -> xr.Dataset:
+    """Turn burnt shares of single runs into R(d_f) and its significance.
+
+    Parameters
+    ----------
+    shares
+        (n_runs, n_budgets) burnt share of the fuel before cutting, by method; row i is the same fire in all.
+    budgets
+        d_f of the columns.
+    baseline
+        Method that the others are tested against.
+    test, alpha
+        See `compare`; significance threshold.
+
+    Returns
+    -------
+    xarray.Dataset
+        `burnt_share` (ranking, run, budget); `mean`, `p90` (90 % percentile), `max`, `p_value`, `effect_size`
+        and `significant` (ranking, budget). The p-value of the baseline itself is nan.
+
+    Raises
+    ------
+    ParameterError
+        If the baseline is not among the methods, or there is no such test.
+    """
+    import xarray as xr
+
+    _require_choice(shares, baseline, test)
+    names = list(shares)
+    burnt = np.stack([shares[name] for name in names])
+    p_value = np.full((len(names), burnt.shape[2]), np.nan)
+    effect = np.full_like(p_value, np.nan)
+    for i, name in enumerate(names):
+        if name != baseline:
+            for k in range(burnt.shape[2]):
+                p_value[i, k], effect[i, k] = compare(shares[name][:, k], shares[baseline][:, k], test=test)
+    by_budget = ("ranking", "budget")
+    return xr.Dataset(
+        {
+            "burnt_share": (("ranking", "run", "budget"), burnt),
+            "mean": (by_budget, burnt.mean(axis=1)),
+            "p90": (by_budget, np.percentile(burnt, 90, axis=1)),
+            "max": (by_budget, burnt.max(axis=1)),
+            "p_value": (by_budget, p_value),
+            "effect_size": (by_budget, effect),
+            "significant": (by_budget, p_value < alpha),
+        },
+        coords={"ranking": names, "budget": np.asarray(budgets, dtype=np.float64)},
+        attrs={"baseline": baseline, "test": test, "alpha": alpha},
+    )
+
+
+def _require_choice(methods: Mapping[str, Any], baseline: str, test: str) -> None:
+    if baseline not in methods:
+        raise ParameterError(f"the baseline {baseline!r} is not among the methods {', '.join(methods)}")
+    _require_test(test)
+
+
+def _require_test(test: str) -> None:
+    if test not in typing.get_args(Test):
+        raise ParameterError(f"test is {test!r}, expected one of {', '.join(typing.get_args(Test))}")
+
+
+def compare(burnt: np.ndarray, baseline: np.ndarray, *, test: Test = "wilcoxon") -> tuple[float, float]:
+    """Test whether two samples of fires differ.
+
+    Parameters
+    ----------
+    burnt, baseline
+        (n_runs,) burnt shares.
+    test
+        `"wilcoxon"`: signed-rank on runs that share their draws, zeros by Pratt's method; equal samples are
+        no difference (p = 1). `"ranksum"`: for independent runs. `"t"`: paired t-test.
+
+    Returns
+    -------
+    tuple of float
+        Two-sided p-value, and the effect size from -1 to 1, negative where `burnt` is smaller: matched-pairs
+        rank-biserial correlation (`wilcoxon`, `t`) or Cliff's delta (`ranksum`).
+    """
+    from scipy import stats
+
+    _require_test(test)
+    difference = burnt - baseline
+    if test == "ranksum":
+        outcome = stats.mannwhitneyu(burnt, baseline, alternative="two-sided")
+        return float(outcome.pvalue), float(2.0 * outcome.statistic / (burnt.size * baseline.size) - 1.0)
+    if not difference.any():
+        return 1.0, 0.0
+    ranks = stats.rankdata(np.abs(difference))
+    effect = float((ranks * np.sign(difference)).sum() / ranks.sum())
+    if test == "t":
+        if difference.size == 1:
+            return 1.0, effect  # one run proves nothing
+        constant = np.ptp(difference) == 0.0
+        return (0.0 if constant else float(stats.ttest_rel(burnt, baseline).pvalue)), effect
+    return float(stats.wilcoxon(burnt, baseline, zero_method="pratt", method="approx").pvalue), effect
+
+
+def better_range(result: xr.Dataset, ranking: str) -> list[float] | None:
+    """First and last budget at which a ranking burns significantly less than the baseline; None if never."""
+    picked = result.sel(ranking=ranking)
+    better = np.flatnonzero(picked["significant"].to_numpy() & (picked["effect_size"].to_numpy() < 0))
+    budgets = result["budget"].to_numpy()
+    return [float(budgets[better[0]]), float(budgets[better[-1]])] if better.size else None
+
+
+def table(result: xr.Dataset) -> pd.DataFrame:
+    """One row a method and budget: method, d_f, cells_cut, mean, p90, max, p_value, effect_size, ..."""
+    import pandas as pd
+
+    from firebreak_gis.breaks import cells_to_cut
+
+    n_burnable = int(result.attrs["n_burnable"])
+    rows = [
+        {
+            "method": name,
+            "d_f": float(budget),
+            "cells_cut": cells_to_cut(float(budget), n_burnable),
+            **{
+                key: result[key].to_numpy()[i, k]
+                for key in ("mean", "p90", "max", "p_value", "effect_size", "significant")
+            },
+        }
+        for i, name in enumerate(result["ranking"].to_numpy().tolist())
+        for k, budget in enumerate(result["budget"].to_numpy())
+    ]
+    return pd.DataFrame(rows)

@@ -1,0 +1,149 @@
+"""Figure 1: R(d_f) of every centrality on an ensemble of artificial forests."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.evaluation.curves import better_range, summarise
+from firebreak_gis.progress import Progress, part, silent
+from firebreak_gis.ranking import rank
+from firebreak_gis.simulation.fires import burn_curve
+from firebreak_gis.spread import spread_network
+from firebreak_gis.spread.artificial import forest
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+#: Rankings of the figure: label, method, parameters.
+METHODS: tuple[tuple[str, str, dict[str, Any]], ...] = (
+    ("bonacich 0.5", "bonacich", {"beta": 0.5}),
+    ("bonacich 0.2", "bonacich", {"beta": 0.2}),
+    ("bonacich 0.8", "bonacich", {"beta": 0.8}),
+    ("betweenness", "betweenness", {}),
+    ("closeness", "closeness", {}),
+    ("degree", "degree", {}),
+    ("eigenvector", "eigenvector", {}),
+    ("flammability", "flammability", {}),
+    ("random", "random", {}),
+)
+SHAPE = (50, 50)
+BUDGETS = tuple(round(0.01 * k, 2) for k in range(51))
+#: The fall of R is dated at the first budget whose mean lies below this.
+FALLEN = 0.3
+
+
+def artificial_forest(
+    *,
+    n_forests: int = 100,
+    n_runs: int = 10,
+    seed: int = 0,
+    shape: tuple[int, int] = SHAPE,
+    budgets: Sequence[float] = BUDGETS,
+    alpha: float = 0.01,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Burn an ensemble of artificial forests under every ranking.
+
+    Each forest is drawn anew, ranked by every method and set on fire at its centre `n_runs` times; the fires
+    of a forest are the same for all methods.
+
+    Parameters
+    ----------
+    n_forests
+        Number of forests.
+    n_runs
+        Fires a forest.
+    seed
+        Seed of forests, fires and random orders.
+    shape
+        (rows, cols).
+    budgets
+        Shares d_f to cut, rising.
+    alpha
+        Significance threshold.
+    threads
+        Threads to use; changes the speed only.
+    progress
+        Callback (share done, message).
+
+    Returns
+    -------
+    xarray.Dataset
+        As `evaluation.summarise`, rankings labelled as in `METHODS`. Mean, percentile and maximum are over
+        all fires; the paired Wilcoxon test compares the means of the forests, since fires of one forest are
+        not independent.
+    """
+    from firebreak_gis.kernels.draws import run_keys
+
+    if n_forests < 1:
+        raise ParameterError(f"the number of forests is {n_forests}, expected at least 1")
+    report = progress or silent
+    fires: dict[str, list[np.ndarray]] = {label: [] for label, _, _ in METHODS}
+    centre = np.zeros(shape)
+    centre[shape[0] // 2, shape[1] // 2] = 1.0
+    for i, key in enumerate(run_keys(seed, "forest", n_forests)):
+        step = part(report, i / n_forests, (i + 1) / n_forests, f"forest {i + 1} of {n_forests}: ")
+        network = spread_network(forest(shape, seed=int(key)), model="artificial")
+        for k, (label, method, params) in enumerate(METHODS):
+            step(k / len(METHODS), label)
+            priority = rank(network, method, seed=int(key), **params)
+            burnt = burn_curve(
+                network,
+                priority,
+                budgets=budgets,
+                ignitions=centre,
+                n_runs=n_runs,
+                seed=int(key),
+                threads=threads,
+            )
+            fires[label].append(burnt.to_numpy() / network.n_burnable)
+    all_fires = {label: np.concatenate(shares) for label, shares in fires.items()}
+    forest_means = {label: np.stack([s.mean(axis=0) for s in shares]) for label, shares in fires.items()}
+    result = summarise(all_fires, budgets=budgets, baseline="random", alpha=alpha)
+    by_forest = summarise(forest_means, budgets=budgets, baseline="random", alpha=alpha)
+    for key in ("p_value", "effect_size", "significant"):
+        result[key] = by_forest[key]
+    return result.assign_attrs(n_forests=n_forests, n_runs=n_runs, seed=seed, n_burnable=shape[0] * shape[1])
+
+
+def curve_table(result: xr.Dataset) -> pd.DataFrame:
+    """One row a method and budget: method, beta, d_f, mean, p90, max, p_value."""
+    import pandas as pd
+
+    rows = []
+    for label, method, params in METHODS:
+        picked = result.sel(ranking=label)
+        for k, d_f in enumerate(result["budget"].to_numpy()):
+            row: dict[str, Any] = {"method": method, "beta": params.get("beta"), "d_f": float(d_f)}
+            row |= {key: float(picked[key].to_numpy()[k]) for key in ("mean", "p90", "max", "p_value")}
+            rows.append(row)
+    return pd.DataFrame(rows)
+
+
+def summary(result: xr.Dataset) -> dict[str, Any]:
+    """Where each ranking falls, and where it differs from random.
+
+    Returns
+    -------
+    dict
+        By label: `d_f_below_0.3`, the smallest d_f at which mean R < 0.3 (None if never), and
+        `significant_d_f`, first and last budget at which the ranking burns significantly less than random
+        (None if never).
+    """
+    d_f = result["budget"].to_numpy()
+    found: dict[str, Any] = {}
+    for label in result["ranking"].to_numpy().tolist():
+        picked = result.sel(ranking=label)
+        fallen = np.flatnonzero(picked["mean"].to_numpy() < FALLEN)
+        found[label] = {
+            "d_f_below_0.3": float(d_f[fallen[0]]) if fallen.size else None,
+            "significant_d_f": better_range(result, label),
+        }
+    settings = {key: int(result.attrs[key]) for key in ("n_forests", "n_runs", "seed")}
+    return {"settings": {**settings, "alpha": float(result.attrs["alpha"])}, "methods": found}

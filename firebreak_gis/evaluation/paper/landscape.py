@@ -1,0 +1,178 @@
+"""Figures 3 to 6: density map, burn frequency, R(d_f) and the breaks on a real landscape."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.breaks import select_breaks
+from firebreak_gis.evaluation.curves import evaluate
+from firebreak_gis.progress import Progress, part
+from firebreak_gis.ranking import rank
+from firebreak_gis.schema import DENSITY
+from firebreak_gis.simulation.fires import simulate
+from firebreak_gis.spread import spread_network
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+#: Wind of the fire of 2008: from the north-west, 4 to 5 Beaufort.
+WIND_SPEED, WIND_FROM = 8.0, 315.0
+#: Rankings of Figure 5; the published version calls the policy by flammability "conventional".
+METHODS: tuple[tuple[str, str, dict[str, Any]], ...] = (
+    ("bonacich 0.5", "bonacich", {"beta": 0.5}),
+    ("conventional", "flammability", {}),
+    ("random", "random", {}),
+)
+#: Budgets whose breaks Figure 6 shows: ranking label and d_f.
+SHOWN = (("bonacich 0.5", 0.14), ("random", 0.19))
+BUDGETS = tuple(round(0.01 * k, 2) for k in range(41))
+GREY_LEVELS = 16
+
+
+@dataclass(frozen=True)
+class LandscapeExperiment:
+    """What the figures show.
+
+    Parameters
+    ----------
+    landscape
+        The whole landscape.
+    window
+        The part of it in which breaks are planned.
+    fire
+        Burns of the whole landscape from one ignition with wind, as `simulate` returns them.
+    evaluation
+        R(d_f) in the window, as `evaluate` returns it.
+    breaks
+        Break masks in the window by (label, d_f), as in `SHOWN`.
+    """
+
+    landscape: xr.Dataset
+    window: xr.Dataset
+    fire: xr.Dataset
+    evaluation: xr.Dataset
+    breaks: dict[tuple[str, float], xr.DataArray]
+
+
+def landscape_experiment(
+    landscape: xr.Dataset,
+    *,
+    ignition: tuple[float, float] | None = None,
+    rectangle: tuple[float, float, float, float] | None = None,
+    wind_speed: float = WIND_SPEED,
+    wind_from_direction: float = WIND_FROM,
+    n_runs: int = 100,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> LandscapeExperiment:
+    """Run the experiments of Figures 3 to 6.
+
+    Figure 4a is a fire with wind from one ignition. Figures 5 and 6 are planned and judged in calm air (the
+    paper's equation 9 has no wind) inside the rectangle, with random ignitions in it.
+
+    Parameters
+    ----------
+    landscape
+        As `read_landscape` returns it.
+    ignition
+        (x, y) in the CRS of the landscape; by default the cell with fuel nearest to the middle.
+    rectangle
+        (left, bottom, right, top) in the CRS of the landscape; by default all of it.
+    wind_speed, wind_from_direction
+        Wind of Figure 4a [m/s, degrees].
+    n_runs, seed, threads, progress
+        As in `simulate`.
+    """
+    window = crop(landscape, rectangle) if rectangle else landscape
+    windy = spread_network(landscape, wind_speed=wind_speed, wind_from_direction=wind_from_direction)
+    start = [ignition] if ignition else [middle(landscape)]
+    fire = simulate(
+        windy,
+        ignitions=start,
+        n_runs=n_runs,
+        seed=seed,
+        threads=threads,
+        progress=part(progress, 0.0, 0.2, "figure 4: "),
+    )
+    network = spread_network(window)
+    priorities = {}
+    for i, (label, method, params) in enumerate(METHODS):
+        step = part(progress, 0.2 + 0.1 * i, 0.3 + 0.1 * i, f"{label}: ")
+        priorities[label] = rank(network, method, seed=seed, progress=step, **params)
+    evaluation = evaluate(
+        network,
+        priorities,
+        budgets=BUDGETS,
+        n_runs=n_runs,
+        seed=seed,
+        threads=threads,
+        progress=part(progress, 0.5, 1.0, "figure 5: "),
+    )
+    breaks = {
+        (label, budget): select_breaks(priorities[label], budget=budget, burnable=network.burnable)
+        for label, budget in SHOWN
+    }
+    return LandscapeExperiment(landscape, window, fire, evaluation, breaks)
+
+
+def crop(landscape: xr.Dataset, rectangle: tuple[float, float, float, float]) -> xr.Dataset:
+    """Cut the cells whose centres lie in (left, bottom, right, top)."""
+    from firebreak_gis.errors import ParameterError
+
+    left, bottom, right, top = rectangle
+    inside = landscape.sel(x=slice(left, right), y=slice(top, bottom))
+    if min(inside.sizes["x"], inside.sizes["y"]) < 3:
+        raise ParameterError(
+            f"the rectangle {rectangle} holds {inside.sizes['y']} x {inside.sizes['x']} cells, expected at "
+            "least 3 x 3; give left bottom right top in the CRS of the landscape"
+        )
+    return inside
+
+
+def middle(landscape: xr.Dataset) -> tuple[float, float]:
+    """Centre of the cell with fuel that lies nearest to the middle of the landscape."""
+    burnable = landscape["burnable"].to_numpy()
+    rows, cols = np.nonzero(burnable)
+    distance = (rows - burnable.shape[0] / 2) ** 2 + (cols - burnable.shape[1] / 2) ** 2
+    nearest = int(np.argmin(distance))
+    return float(landscape["x"][cols[nearest]]), float(landscape["y"][rows[nearest]])
+
+
+def grey_levels(frequency: np.ndarray) -> np.ndarray:
+    """Burn frequency in the paper's grey levels.
+
+    The frequencies are sorted into 16 bins of equal width from 0 to their maximum; the bins get levels 256
+    down to 16 in steps of 16, so that dark cells burn often.
+
+    Parameters
+    ----------
+    frequency
+        (rows, cols), NaN where there is no fuel.
+
+    Returns
+    -------
+    numpy.ndarray
+        (rows, cols) int32: 16 .. 256; 0 where there is no fuel.
+    """
+    top = np.nanmax(frequency, initial=0.0)
+    bins = np.floor(GREY_LEVELS * np.nan_to_num(frequency) / (top or 1.0)).clip(0, GREY_LEVELS - 1).astype(np.int32)
+    return np.where(np.isnan(frequency), 0, 256 - 16 * bins)
+
+
+def cut_table(experiment: LandscapeExperiment) -> pd.DataFrame:
+    """Share of the cut cells in each density class: method, d_f, sparse, normal, dense."""
+    import pandas as pd
+
+    density = experiment.window["density"].to_numpy()
+    rows = []
+    for (label, budget), mask in experiment.breaks.items():
+        cut = density[mask.to_numpy() > 0]
+        row: dict[str, Any] = {"method": label, "d_f": budget, "cells_cut": cut.size}
+        row |= {name: float(np.mean(cut == code)) for code, name in DENSITY.items() if code}
+        rows.append(row)
+    return pd.DataFrame(rows)

@@ -1,0 +1,1 @@
+"""A plan from what was asked to what is written: design, check, judgement, comparison, outputs."""

@@ -1,0 +1,187 @@
+"""Rankings against each other: methods x budgets x leaks, on fires that no plan was designed with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.breaks import cells_to_cut, select_breaks
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.evaluation.measures import judge, resamples
+from firebreak_gis.progress import Progress, part, silent
+from firebreak_gis.simulation.fires import burn_curve, simulate
+from firebreak_gis.simulation.ignitions import IgnitionMode
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+    from firebreak_gis.network import SpreadNetwork
+
+#: Added to the seed of the design, so that no plan is judged on fires that it has seen.
+FRESH = 7919
+#: Ranks the cells for a budget and a residual, reporting its progress.
+Ranker = Callable[[float, float, Progress], "np.ndarray | xr.DataArray"]
+
+
+def compare_plans(
+    network: SpreadNetwork,
+    priorities: Mapping[str, np.ndarray | xr.DataArray | Ranker],
+    *,
+    budgets: Sequence[float],
+    residuals: Sequence[float] = (0.0, 0.05, 0.1),
+    value: np.ndarray | None = None,
+    ignitions: Any = None,
+    ignition_mode: IgnitionMode = "each",
+    n_runs: int = 200,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Burn the same fresh fires under every ranking, budget and residual.
+
+    Parameters
+    ----------
+    network
+        The spread network before cutting.
+    priorities
+        By label: a priority raster, or a function ``(budget, residual, progress)`` that returns the one of the plan
+        for them; where it returns the same object it has the same plan.
+    budgets
+        Shares d_f of the cells that hold fuel.
+    residuals
+        Shares of its spread probability that a treated cell keeps; 0 is a perfect break.
+    value
+        (rows, cols) value lost when the cell burns; without it every cell counts 1.
+    ignitions, ignition_mode, n_runs, threads, progress
+        As in `simulate`.
+    seed
+        Seed of the design; the fires are drawn with another one.
+
+    Returns
+    -------
+    xarray.Dataset
+        `burnt` (ranking, budget, residual, run) cells burnt, `lost` likewise value lost, `burnt_untreated`,
+        `lost_untreated` (run), `cells_cut` (budget).
+
+    Notes
+    -----
+    Perfect breaks need one pass a run for all budgets (`burn_curve`) unless values are given; leaking ones are
+    simulated for each budget, with the same draws.
+    """
+    import xarray as xr
+
+    budgets = sorted(budgets)
+    residuals = sorted(residuals)
+    if not budgets or not residuals:
+        raise ParameterError("give at least one budget and one residual")
+    report = progress or silent
+    fires: dict[str, Any] = {
+        "ignitions": ignitions,
+        "ignition_mode": ignition_mode,
+        "n_runs": n_runs,
+        "seed": seed + FRESH,
+        "threads": threads,
+    }
+    worth = network.burnable.astype(np.float64) if value is None else value
+    untreated = simulate(network, value=worth, progress=part(report, 0.0, 0.02, "untreated: "), **fires)
+    shape = (len(priorities), len(budgets), len(residuals), n_runs)
+    burnt, lost = np.zeros(shape), np.zeros(shape)
+    steps = [(i, j) for i in range(len(priorities)) for j in range(len(residuals))]
+    for n, (i, j) in enumerate(steps):
+        (label, priority), residual = list(priorities.items())[i], residuals[j]
+        span = (0.02 + 0.98 * n / len(steps), 0.02 + 0.98 * (n + 1) / len(steps))
+        step = part(report, *span, f"{label}, residual {residual:g}: ")
+        ranked: list[Any] = [
+            priority(b, residual, part(step, 0.6 * k / len(budgets), 0.6 * (k + 1) / len(budgets)))
+            if callable(priority)
+            else priority
+            for k, b in enumerate(budgets)
+        ]
+        burnt[i, :, j], lost[i, :, j] = _burn(
+            network, ranked, budgets, residual, None if value is None else worth, part(step, 0.6, 1.0), fires
+        )
+    cut = [cells_to_cut(b, network.n_burnable) for b in budgets]
+    dims = ("ranking", "budget", "residual", "run")
+    return xr.Dataset(
+        {
+            "burnt": (dims, burnt),
+            "lost": (dims, lost),
+            "burnt_untreated": ("run", untreated["fire_size"].to_numpy()),
+            "lost_untreated": ("run", untreated["value_lost"].to_numpy()),
+            "cells_cut": ("budget", cut),
+        },
+        coords={"ranking": list(priorities), "budget": budgets, "residual": residuals},
+        attrs={
+            "n_burnable": network.n_burnable,
+            "cell_area_ha": network.grid.cell_area_ha,
+            "n_runs": n_runs,
+            "fire_seed": seed + FRESH,
+        },
+    )
+
+
+def _burn(
+    network: SpreadNetwork,
+    ranked: list[Any],
+    budgets: Sequence[float],
+    residual: float,
+    value: np.ndarray | None,
+    progress: Progress,
+    fires: Mapping[str, Any],
+) -> tuple[np.ndarray, np.ndarray]:
+    """Cells burnt and value lost, (n_budgets, n_runs) each, under the ranking of every budget."""
+    shape = (len(budgets), int(fires["n_runs"]))
+    burnt, lost = np.zeros(shape), np.zeros(shape)
+    if residual == 0.0 and value is None:
+        for k, first in enumerate(ranked):
+            same = [m for m, other in enumerate(ranked) if other is first]
+            if same[0] == k:
+                span = part(progress, k / len(budgets), (k + len(same)) / len(budgets))
+                some = [budgets[m] for m in same]
+                burnt[same] = burn_curve(network, first, budgets=some, progress=span, **fires).to_numpy().T
+        return burnt, burnt
+    for k, (priority, budget) in enumerate(zip(ranked, budgets, strict=True)):
+        run = simulate(
+            network,
+            breaks=select_breaks(priority, budget=budget, burnable=network.burnable),
+            residual=residual,
+            value=value,
+            progress=part(progress, k / len(budgets), (k + 1) / len(budgets)),
+            **fires,
+        )
+        burnt[k] = run["fire_size"]
+        lost[k] = run["fire_size"] if value is None else run["value_lost"]
+    return burnt, lost
+
+
+def comparison_table(result: xr.Dataset) -> pd.DataFrame:
+    """One row a ranking, budget and residual, each measure with its 95 % interval.
+
+    Columns: method, d_f, residual, cells_cut, ha_cut, R (mean burnt share), and those of `judgement.judge`.
+    """
+    import pandas as pd
+
+    area, n_burnable = float(result.attrs["cell_area_ha"]), int(result.attrs["n_burnable"])
+    picks = resamples(result.sizes["run"], int(result.attrs["fire_seed"]))
+    untreated = result["burnt_untreated"].to_numpy()
+    rows = []
+    for label in result["ranking"].to_numpy().tolist():
+        for budget, cells in zip(result["budget"].to_numpy(), result["cells_cut"].to_numpy(), strict=True):
+            for residual in result["residual"].to_numpy():
+                chosen = result.sel(ranking=label, budget=budget, residual=residual)
+                burnt, lost = chosen["burnt"].to_numpy(), chosen["lost"].to_numpy()
+                row: dict[str, Any] = {
+                    "method": label,
+                    "d_f": float(budget),
+                    "residual": float(residual),
+                    "cells_cut": int(cells),
+                    "ha_cut": cells * area,
+                    "R": burnt.mean() / n_burnable,
+                }
+                rows.append(
+                    row | judge(burnt, lost, untreated, treated_ha=cells * area, cell_area_ha=area, picks=picks)
+                )
+    return pd.DataFrame(rows)

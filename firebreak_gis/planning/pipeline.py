@@ -1,0 +1,304 @@
+"""The whole way from a landscape to a plan; the only module that knows the order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.breaks import BudgetUnit, break_polygons, cells_to_cut, removal_order, select_breaks
+from firebreak_gis.construction.compartments import compartments
+from firebreak_gis.construction.segments import segments
+from firebreak_gis.evaluation.curves import evaluate
+from firebreak_gis.evaluation.measures import judge, resamples
+from firebreak_gis.planning.design import design
+from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
+from firebreak_gis.progress import Progress, part
+from firebreak_gis.ranking import rank
+from firebreak_gis.simulation.fires import simulate
+from firebreak_gis.simulation.ignitions import IgnitionMode, resolve_ignitions
+from firebreak_gis.spread import spread_network
+from firebreak_gis.stakes import Stakes, with_barriers
+
+if TYPE_CHECKING:
+    import geopandas as gpd
+    import pandas as pd
+    import xarray as xr
+
+    from firebreak_gis.network import SpreadNetwork
+
+    Plane = np.ndarray | xr.DataArray
+
+#: Rankings that every plan is judged against.
+BASELINES = ("random", "flammability")
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A plan of fire breaks and what it saves.
+
+    Parameters
+    ----------
+    landscape
+        `elevation`, `vegetation`, `density`, `burnable` (y, x).
+    network
+        The spread network before cutting, existing barriers in it.
+    stakes
+        Costs, protected cells, values at risk and ignitions.
+    priority, breaks
+        (y, x): the ranking, and 1 where cut.
+    before, after
+        Burns of the same fires without and with the breaks, as `simulate` returns them.
+    evaluation
+        R(d_f) of the ranking and the baselines, as `evaluate` returns it.
+    parameters
+        What was asked for.
+    feasibility
+        What could be reached.
+    """
+
+    landscape: xr.Dataset
+    network: SpreadNetwork
+    stakes: Stakes
+    priority: xr.DataArray
+    breaks: xr.DataArray
+    before: xr.Dataset
+    after: xr.Dataset
+    evaluation: xr.Dataset
+    parameters: Mapping[str, Any]
+    feasibility: Feasibility
+
+    @property
+    def polygons(self) -> gpd.GeoDataFrame:
+        """Connected pieces of the breaks, see `break_polygons`."""
+        return break_polygons(self.breaks, self.priority)
+
+    @property
+    def segments(self) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
+        """Middle lines and outlines of what is to be built, in order, see `segments.segments`."""
+        return segments(
+            self.network,
+            self.breaks,
+            priority=self.priority,
+            elevation=self.landscape["elevation"],
+            cost=self.stakes.cost,
+            value=self.stakes.value,
+            ignition=self.stakes.ignition,
+        )
+
+    @property
+    def compartments(self) -> gpd.GeoDataFrame:
+        """The fuel between the breaks and what it has to lose, see `compartments.compartments`."""
+        return compartments(
+            self.network, self.breaks, value=self.stakes.value, ignition=self.stakes.ignition, burns=self.after
+        )[1]
+
+    @property
+    def fire_sizes(self) -> pd.DataFrame:
+        """One row a run: cells and hectares burnt without and with the breaks."""
+        import pandas as pd
+
+        area = self.network.grid.cell_area_ha
+        sizes = {
+            "without_breaks": self.before["fire_size"].to_numpy(),
+            "with_breaks": self.after["fire_size"].to_numpy(),
+        }
+        columns: dict[str, np.ndarray] = {"run": np.arange(self.before.sizes["run"])}
+        for name, cells in sizes.items():
+            columns[f"cells_{name}"] = cells
+            columns[f"ha_{name}"] = np.round(cells * area, 6)
+        return pd.DataFrame(columns)
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """Key figures as plain numbers."""
+        n_burnable = self.network.n_burnable
+        before, after = self.before["fire_size"].to_numpy(), self.after["fire_size"].to_numpy()
+        area = self.network.grid.cell_area_ha
+        chosen = self.evaluation.sel(ranking=self.parameters["method"], budget=self.parameters["d_f"])
+        cut = self.breaks.to_numpy() > 0
+        figures: dict[str, Any] = {
+            "burnable_cells": n_burnable,
+            "burnable_ha": round(n_burnable * area, 4),
+            "cells_cut": int(np.count_nonzero(cut)),
+            "ha_cut": round(int(np.count_nonzero(cut)) * area, 4),
+            "cost": float(self.stakes.cost[cut].sum()),
+            "burnt_share_without_breaks": float(before.mean() / n_burnable),
+            "burnt_share_with_breaks": float(after.mean() / n_burnable),
+            "burnt_share_with_breaks_p90": float(np.percentile(after, 90) / n_burnable),
+            "burnt_share_with_breaks_max": float(after.max() / n_burnable),
+        }
+        lost = self.after["value_lost"] if "value_lost" in self.after else self.after["fire_size"]
+        figures["judged"] = judge(
+            after,
+            lost.to_numpy(),
+            before,
+            treated_ha=figures["ha_cut"],
+            cell_area_ha=area,
+            picks=resamples(after.size, int(self.parameters["seed"])),
+        )
+        if self.parameters["method"] != "random":
+            figures["p_value_against_random"] = float(chosen["p_value"])
+        if "value_lost" in self.before:
+            figures["value_lost_without_breaks"] = float(self.before["value_lost"].mean())
+            figures["value_lost_with_breaks"] = float(self.after["value_lost"].mean())
+        return figures
+
+
+def plan(
+    landscape: xr.Dataset,
+    *,
+    budget: float = 0.1,
+    budget_unit: BudgetUnit = "share",
+    method: str = "dissection",
+    method_params: Mapping[str, Any] | None = None,
+    model: str = "alexandridis",
+    model_params: Mapping[str, Any] | None = None,
+    barriers: Plane | None = None,
+    cost: Plane | None = None,
+    protected: Plane | None = None,
+    value: Plane | None = None,
+    ignition: Plane | None = None,
+    width: float | None = None,
+    residual: float = 0.0,
+    refine: bool = False,
+    ignitions: Any = None,
+    ignition_mode: IgnitionMode = "each",
+    n_runs: int = 100,
+    seed: int = 0,
+    threads: int | None = None,
+    checked: Callable[[Feasibility], None] | None = None,
+    progress: Progress | None = None,
+) -> Plan:
+    """Plan fire breaks on a landscape and burn it with and without them.
+
+    Parameters
+    ----------
+    landscape
+        As `read_landscape` returns it.
+    budget, budget_unit
+        How much to cut: a share d_f of the cells that hold fuel, hectares, or money (`cost`), see `select_breaks`.
+    method, method_params
+        Ranking and its parameters, see `rank`. What the plan knows and the method asks for, such as the budget, it is
+        told, see `design.design`; what is given here wins.
+    model, model_params
+        Spread model and its parameters (wind), see `spread_network`.
+    barriers
+        (y, x), above 0 on existing breaks, roads and rivers, see `stakes.with_barriers`.
+    cost, protected, value, ignition
+        (y, x) cost of cutting each cell, where nothing may be cut, value at risk and where fires start, see
+        `stakes.Stakes`.
+    width
+        Least width of the breaks [m]; rounded up to whole cells.
+    residual
+        Share of its spread probability that a treated cell keeps; 0 is a perfect break. Methods that know it choose
+        the width of their walls for it.
+    refine
+        Whether the breaks are improved by local search on simulated fires, see `placement.refinement.refine`.
+    ignitions, ignition_mode, n_runs, seed, threads, progress
+        As in `simulate`; without `ignitions` fires start by `ignition`. No method designs its plan with these fires.
+    checked
+        Told, before the ranking, what can be reached.
+
+    Returns
+    -------
+    Plan
+        Everything, from the network to the evaluation, which takes breaks as perfect.
+
+    Raises
+    ------
+    ParameterError, InputError
+        Before the ranking, naming everything that stands in the way, see `feasibility.feasibility`.
+    """
+    network = spread_network(landscape, model=model, **(model_params or {}))
+    if barriers is not None:
+        network = with_barriers(network, barriers)
+    stakes = Stakes(network, cost=cost, protected=protected, value=value, ignition=ignition)
+    if ignitions is None and ignition is not None:
+        ignitions = stakes.ignition
+    # What cannot be is refused now, not after the ranking.
+    found = feasibility(
+        network,
+        stakes,
+        budget=budget,
+        unit=budget_unit,
+        width=width,
+        residual=residual,
+        refine=refine,
+        ignitions=lambda: resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, seed=seed),
+    )
+    found.require()
+    if checked is not None:
+        checked(found)
+    priority = design(
+        network,
+        method,
+        stakes=stakes,
+        budget=budget,
+        unit=budget_unit,
+        residual=residual,
+        refine=refine,
+        width=width_in_cells(width, network.grid.cell_size),
+        params=method_params,
+        elevation=landscape["elevation"].to_numpy(),
+        roads=None if barriers is None else network.mask(barriers, "barriers").astype(np.float64),
+        seed=seed,
+        progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
+    )
+    breaks = select_breaks(priority, budget=budget, unit=budget_unit, burnable=network.burnable, cost=stakes.cost)
+    fires: dict[str, Any] = {
+        "ignitions": ignitions,
+        "ignition_mode": ignition_mode,
+        "n_runs": n_runs,
+        "seed": seed,
+        "threads": threads,
+    }
+    at_risk = None if value is None else stakes.value
+    before = simulate(network, value=at_risk, progress=part(progress, 0.35, 0.5, "without breaks: "), **fires)
+    after = simulate(
+        network,
+        breaks=breaks,
+        residual=residual,
+        value=at_risk,
+        progress=part(progress, 0.5, 0.6, "with breaks: "),
+        **fires,
+    )
+    baselines = {name: rank(network, name, stakes=stakes, seed=seed) for name in BASELINES if name != method}
+    share = budget if budget_unit == "share" else breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
+    evaluation = evaluate(
+        network,
+        {method: priority, **baselines},
+        budgets=reachable(default_budgets(share), priority, network),
+        baseline="random",
+        progress=part(progress, 0.6, 1.0, "evaluate "),
+        **fires,
+    )
+    parameters = {
+        "budget": budget,
+        "budget_unit": budget_unit,
+        "d_f": share,
+        "method": method,
+        "method_params": dict(method_params or {}),
+        "model": model,
+        "model_params": dict(model_params or {}),
+        "width": width,
+        "residual": residual,
+        "refine": refine,
+        "n_runs": n_runs,
+        "seed": seed,
+    }
+    return Plan(landscape, network, stakes, priority, breaks, before, after, evaluation, parameters, found)
+
+
+def reachable(budgets: np.ndarray, priority: xr.DataArray, network: SpreadNetwork) -> np.ndarray:
+    """Those of the budgets that protected cells leave enough cells for."""
+    candidates = int(np.count_nonzero(removal_order(priority) >= 0))
+    return budgets[[cells_to_cut(float(b), network.n_burnable) <= candidates for b in budgets]]
+
+
+def default_budgets(*marked: float, n_levels: int = 41) -> np.ndarray:
+    """Evenly spaced budgets from 0 to beyond the marked ones, the marked ones among them."""
+    top = min(1.0, max(0.4, 1.5 * max(marked, default=0.0)))
+    return np.unique(np.concatenate([np.round(np.linspace(0.0, top, n_levels), 6), np.array(marked)]))

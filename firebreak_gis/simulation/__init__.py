@@ -1,0 +1,1 @@
+"""Fires: where they start, how they burn, and how many runs are spread over machines."""

@@ -1,0 +1,135 @@
+"""What a planner adds to a spread network: costs, protected cells, values at risk and where fires start."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.errors import FirebreakError, InputError
+from firebreak_gis.network import SpreadNetwork
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    Plane = np.ndarray | xr.DataArray
+
+
+@dataclass(frozen=True, eq=False, init=False)
+class Stakes:
+    """Costs, protected cells, values at risk and ignitions on the grid of one network.
+
+    Parameters
+    ----------
+    network
+        The network that is planned for; existing barriers are made fuel-free in it first (`with_barriers`).
+    cost
+        (rows, cols) cost of cutting the cell, any one unit, >= 0. Default: 1 a cell.
+    protected
+        (rows, cols), above 0 where nothing may be cut. Default: nowhere.
+    value
+        (rows, cols) value lost when the cell burns, any one unit, >= 0. Default: 1 on fuel.
+    ignition
+        (rows, cols) how likely a fire starts in the cell, relative to the others, >= 0. Default: 1 on fuel.
+
+    Attributes
+    ----------
+    cost, value, ignition : numpy.ndarray
+        (rows, cols) float64, read-only; 0 where there is no fuel.
+    protected : numpy.ndarray
+        (rows, cols) bool, read-only.
+    priced : bool
+        Whether costs were given.
+
+    Raises
+    ------
+    InputError
+        Naming every problem: another grid, negative or infinite numbers, NaN on fuel, nothing of value, nowhere
+        to ignite.
+    """
+
+    cost: np.ndarray
+    protected: np.ndarray
+    value: np.ndarray
+    ignition: np.ndarray
+    priced: bool
+
+    def __init__(
+        self,
+        network: SpreadNetwork,
+        *,
+        cost: Plane | None = None,
+        protected: Plane | None = None,
+        value: Plane | None = None,
+        ignition: Plane | None = None,
+    ) -> None:
+        problems: list[str] = []
+        fuel = network.burnable
+        alike = fuel.astype(np.float64)  # one plane for all that is not given
+        planes = {
+            name: _weights(network, data, name, alike, problems)
+            for name, data in (("cost", cost), ("value", value), ("ignition", ignition))
+        }
+        for name, what in (("value", "nothing can be lost"), ("ignition", "no fire can start")):
+            if fuel.any() and not planes[name].any():
+                problems.append(f"{name} is zero on every cell that holds fuel, so {what}")
+        try:
+            kept = np.zeros(network.shape, bool) if protected is None else network.mask(protected, "protected")
+        except FirebreakError as error:
+            problems.append(str(error))
+            kept = np.zeros(network.shape, bool)
+        if problems:
+            raise InputError("the plan cannot be set up: " + "; ".join(problems))
+        object.__setattr__(self, "priced", cost is not None)
+        for name, plane in (*planes.items(), ("protected", kept.copy())):
+            plane.flags.writeable = False
+            object.__setattr__(self, name, plane)
+
+
+def _weights(
+    network: SpreadNetwork, data: Plane | None, name: str, default: np.ndarray, problems: list[str]
+) -> np.ndarray:
+    """Plane of numbers >= 0, zero off fuel; `default` if none are given. Adds to `problems` what is wrong."""
+    if data is None:
+        return default
+    try:
+        values = np.where(network.burnable, network.plane(data, name).astype(np.float64), 0.0)
+    except (FirebreakError, TypeError, ValueError) as error:
+        problems.append(str(error))
+        return default
+    missing = int(np.count_nonzero(np.isnan(values)))
+    if missing:
+        problems.append(f"{name} has no data on {missing} cells that hold fuel; give a number there, for example 0")
+    elif not np.isfinite(values).all() or (values < 0).any():
+        problems.append(f"{name} lies in [{values.min():g}, {values.max():g}], expected finite numbers of at least 0")
+    else:
+        return values
+    return default
+
+
+def with_barriers(network: SpreadNetwork, barriers: Plane) -> SpreadNetwork:
+    """Return the network with existing barriers, such as roads and old breaks, as cells without fuel.
+
+    Parameters
+    ----------
+    network
+        The spread network.
+    barriers
+        (rows, cols), above 0 on a barrier. Moore spread passes a line one cell wide that turns at corners, so
+        lines must be rasterised with all the cells that they touch.
+
+    Returns
+    -------
+    SpreadNetwork
+        Its `burnable`, and so N_v, lacks the barriers.
+    """
+    burnable = network.burnable & ~network.mask(barriers, "barriers")
+    return SpreadNetwork(
+        network.probability,
+        burnable=burnable,
+        boundary=network.boundary,
+        crs=network.grid.crs,
+        transform=network.grid.transform,
+        provenance=network.provenance,
+    )

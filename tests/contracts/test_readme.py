@@ -1,0 +1,77 @@
+"""What the README says is run as it stands there."""
+
+import json
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from firebreak_gis.cli import firebreak
+
+ROOT = Path(__file__).parents[2]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def block(mark: str) -> str:
+    """The fenced block under a mark."""
+    found = re.search(rf"<!-- {mark} -->\n```\w+\n(.*?)```", README, re.DOTALL)
+    assert found, f"the README has no block {mark!r}"
+    return found[1]
+
+
+@pytest.fixture
+def checkout(tmp_path, monkeypatch):
+    """A folder in which the README's relative paths hold, and nothing else."""
+    (tmp_path / "sample_data").symlink_to(ROOT / "sample_data")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_commands_run_in_the_order_given(checkout):
+    lines = [line for line in block("commands").splitlines() if line.strip()]
+    assert len(lines) >= 9
+    for line in lines:
+        words = shlex.split(line)
+        assert words[0] == "firebreak"
+        outcome = CliRunner().invoke(firebreak, words[1:])
+        assert outcome.exit_code == 0, f"{line}\n{outcome.output}\n{outcome.exception}"
+    assert (checkout / "out/plan/overview.png").stat().st_size > 10_000
+    assert (checkout / "out/evaluation/evaluation.svg").exists()
+
+
+def test_plan_with_everything_a_planner_adds(checkout):
+    outcome = CliRunner().invoke(firebreak, shlex.split(block("stakes"))[1:])
+    assert outcome.exit_code == 0, outcome.output
+    summary = json.loads((checkout / "out/stakes/run.json").read_text())["summary"]
+    assert 148_000 < summary["cost"] <= 150_000
+    assert summary["value_lost_with_breaks"] < summary["value_lost_without_breaks"]
+
+
+def test_python_example_runs(checkout):
+    scope = {}
+    exec(compile(block("python"), "README.md", "exec"), scope)
+    villages = scope["villages"]
+    assert len(villages) == 4
+    assert villages["after"].sum() < 0.7 * villages["before"].sum()
+    assert scope["polygons"]["cells"].sum() == round(0.14 * scope["network"].n_burnable)
+
+
+def test_set_up_commands_are_one_line_each():
+    for mark in ("main job", "test"):
+        text = block(mark)
+        assert text.count("\n") == 1
+        assert text.startswith("python3 -m venv .venv && ")
+
+
+def test_files_that_the_readme_names_exist():
+    for path in re.findall(r"\]\(((?!http)[^)#]+)\)", README):
+        assert (ROOT / path).exists(), path
+
+
+def test_table_of_outputs_is_what_plan_writes():
+    from firebreak_gis.planning.outputs import PLAN_FILES
+
+    table = README.split("writes into the folder:")[1].split("Every raster is")[0]
+    assert set(re.findall(r"`([\w.]+\.(?:tif|gpkg|csv|png|json))`", table)) == set(PLAN_FILES)

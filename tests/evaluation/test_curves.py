@@ -1,0 +1,143 @@
+"""R(d_f): statistics against numpy and scipy, pairing, refusals; comparison of plans."""
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from firebreak_gis import SpreadNetwork, evaluate, rank, select_breaks, simulate
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.evaluation.curves import better_range, compare, summarise, table
+from firebreak_gis.planning.comparison import FRESH, compare_plans, comparison_table
+
+
+@pytest.fixture(scope="module")
+def network():
+    rng = np.random.default_rng(3)
+    return SpreadNetwork(rng.uniform(0, 0.6, (8, 21, 30)), burnable=rng.random((21, 30)) > 0.1)
+
+
+@pytest.fixture(scope="module")
+def priorities(network):
+    return {name: rank(network, name, seed=1) for name in ("bonacich", "flammability", "random")}
+
+
+def test_figures_are_those_of_numpy_and_scipy():
+    rng = np.random.default_rng(0)
+    shares = {"a": rng.random((40, 3)), "random": rng.random((40, 3))}
+    result = summarise(shares, budgets=[0, 0.1, 0.2])
+    for name, runs in shares.items():
+        picked = result.sel(ranking=name)
+        np.testing.assert_allclose(picked["mean"], [np.mean(runs[:, k]) for k in range(3)])
+        np.testing.assert_allclose(picked["max"], [max(runs[:, k]) for k in range(3)])
+        np.testing.assert_allclose(picked["p90"], [np.percentile(runs[:, k], 90) for k in range(3)])
+    for k in range(3):
+        expected = stats.wilcoxon(shares["a"][:, k], shares["random"][:, k], zero_method="pratt", method="approx")
+        assert result["p_value"].sel(ranking="a")[k] == pytest.approx(expected.pvalue)
+    assert np.isnan(result["p_value"].sel(ranking="random")).all()
+    assert not result["significant"].sel(ranking="random").any()
+
+
+def test_tests_on_equal_and_on_different_samples():
+    rng = np.random.default_rng(1)
+    x = rng.random(50)
+    assert compare(x, x) == (1.0, 0.0)
+    assert compare(x, x, test="t") == (1.0, 0.0)
+    p, effect = compare(x - 0.5, x)
+    assert p < 1e-6
+    assert effect == -1.0
+    assert compare(x + 0.5, x)[1] == 1.0
+    y = rng.random(50)
+    p, effect = compare(x, y, test="ranksum")
+    assert p == pytest.approx(stats.mannwhitneyu(x, y).pvalue)
+    assert effect == pytest.approx(np.mean(np.sign(x[:, None] - y[None])))
+    assert compare(x, y, test="t")[0] == pytest.approx(stats.ttest_rel(x, y).pvalue)
+    with pytest.raises(ParameterError):
+        compare(x, y, test="sign")
+
+
+def test_mostly_equal_runs_give_a_number():
+    x = np.zeros(30)
+    y = x.copy()
+    y[4] = 1.0
+    p, effect = compare(x, y)
+    assert 0 < p <= 1
+    assert -1 <= effect < 0
+
+
+def test_evaluation_is_a_simulation_at_each_budget(network, priorities):
+    budgets = [0.0, 0.07, 0.2]
+    result = evaluate(network, priorities, budgets=budgets, n_runs=60, seed=5)
+    for name, priority in priorities.items():
+        for budget in budgets:
+            burns = simulate(network, breaks=select_breaks(priority, budget=budget), n_runs=60, seed=5)
+            got = result["burnt_share"].sel(ranking=name, budget=budget) * network.n_burnable
+            np.testing.assert_allclose(got, burns["fire_size"])
+    start = result.isel(budget=0)["burnt_share"]
+    assert (start == start[0]).all()
+    rows = table(result)
+    assert list(rows.columns) == [
+        "method",
+        "d_f",
+        "cells_cut",
+        "mean",
+        "p90",
+        "max",
+        "p_value",
+        "effect_size",
+        "significant",
+    ]
+    assert len(rows) == 9
+    assert rows.loc[rows["d_f"] == 0.07, "cells_cut"].eq(round(0.07 * network.n_burnable)).all()
+
+
+def test_missing_baseline_and_falling_budgets_are_refused(network, priorities):
+    with pytest.raises(ParameterError, match="baseline"):
+        evaluate(network, priorities, budgets=[0.1], baseline="nothing", n_runs=2)
+    with pytest.raises(ParameterError, match="rising"):
+        evaluate(network, priorities, budgets=[0.2, 0.1], n_runs=2)
+
+
+def test_comparison_is_made_on_fresh_shared_fires(network, priorities):
+    value = np.random.default_rng(2).random(network.shape)
+    result = compare_plans(
+        network, priorities, budgets=[0.1, 0.3], residuals=[0.0, 0.1], value=value, n_runs=50, seed=4
+    )
+    plain = compare_plans(network, priorities, budgets=[0.1, 0.3], residuals=[0.0, 0.1], n_runs=50, seed=4)
+    np.testing.assert_array_equal(result["burnt"], plain["burnt"])
+    np.testing.assert_array_equal(plain["burnt"], plain["lost"])
+    for name, priority in priorities.items():
+        mask = select_breaks(priority, budget=0.3, burnable=network.burnable)
+        for residual in (0.0, 0.1):
+            burns = simulate(network, breaks=mask, residual=residual, value=value, n_runs=50, seed=4 + FRESH)
+            picked = result.sel(ranking=name, budget=0.3, residual=residual)
+            np.testing.assert_array_equal(picked["burnt"], burns["fire_size"])
+            np.testing.assert_allclose(picked["lost"], burns["value_lost"])
+    assert (result["burnt"].sel(residual=0.0) <= result["burnt"].sel(residual=0.1)).all()
+    rows = comparison_table(result)
+    assert len(rows) == 12
+    for name in ("burnt_ha", "p90_ha", "cvar_ha", "value_lost", "leverage"):
+        assert (rows[f"{name}_low"] <= rows[name] + 1e-12).all()
+        assert (rows[name] <= rows[f"{name}_high"] + 1e-12).all()
+    row = rows.iloc[0]
+    picked = result.sel(ranking=row["method"], budget=row["d_f"], residual=row["residual"])["burnt"].to_numpy()
+    area = network.grid.cell_area_ha
+    assert row["burnt_ha"] == pytest.approx(picked.mean() * area)
+    assert row["cvar_ha"] == pytest.approx(np.sort(picked)[-5:].mean() * area)
+    saved = (result["burnt_untreated"].to_numpy() - picked).mean() / row["cells_cut"]
+    assert row["leverage"] == pytest.approx(saved)
+
+
+def test_value_lost_is_summed_over_burnt_cells():
+    network = SpreadNetwork(np.ones((8, 4, 6)))
+    value = np.arange(24.0).reshape(4, 6)
+    burns = simulate(network, value=value, n_runs=5)
+    assert (burns["value_lost"] == value.sum()).all()
+
+
+def test_range_of_significance():
+    rng = np.random.default_rng(0)
+    base = rng.random((60, 5))
+    shift = np.array([0.0, 0.0, -0.6, -0.6, 0.6])
+    result = summarise({"a": base + shift, "random": base}, budgets=[0, 0.1, 0.2, 0.3, 0.4])
+    assert better_range(result, "a") == [0.2, 0.3]
+    assert better_range(summarise({"a": base, "random": base}, budgets=[0, 0.1, 0.2, 0.3, 0.4]), "a") is None

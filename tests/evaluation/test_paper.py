@@ -1,0 +1,96 @@
+"""The paper's experiments: grey levels, tables, the order of the methods on artificial forests."""
+
+import json
+
+import numpy as np
+import pytest
+
+from firebreak_gis import forest, spread_network
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.evaluation.paper.artificial_forest import METHODS, artificial_forest, curve_table, summary
+from firebreak_gis.evaluation.paper.landscape import crop, cut_table, grey_levels, landscape_experiment, middle
+
+
+@pytest.fixture(scope="module")
+def ensemble():
+    return artificial_forest(n_forests=6, n_runs=5, seed=3, shape=(40, 47))
+
+
+def test_forest_is_that_of_the_paper():
+    landscape = forest((6, 8), seed=2)
+    emptiness = landscape["emptiness"].to_numpy()
+    assert 0 < emptiness.min() < emptiness.max() < 1
+    network = spread_network(landscape, model="artificial")
+    assert network.boundary == "periodic"
+    steps = [(-1, 0), (-1, 1), (0, 1), (1, 1), (1, 0), (1, -1), (0, -1), (-1, -1)]
+    for d, (down, right) in enumerate(steps):
+        for row in range(6):
+            for col in range(8):
+                target = emptiness[(row + down) % 6, (col + right) % 8]
+                assert network.probability[d, row, col] == np.float32(1 - target)
+    assert (forest((6, 8), seed=3)["emptiness"] != emptiness).any()
+
+
+def test_centralities_fall_before_random_and_eigenvector(ensemble):
+    mean = ensemble["mean"].sel(budget=0.27)
+    for label in ("bonacich 0.5", "bonacich 0.2", "betweenness", "degree"):
+        assert mean.sel(ranking=label) < 0.6 * mean.sel(ranking="random")
+    assert mean.sel(ranking="eigenvector") > mean.sel(ranking="bonacich 0.5")
+    fallen = {label: row["d_f_below_0.3"] for label, row in summary(ensemble)["methods"].items()}
+    assert 0.18 <= fallen["bonacich 0.5"] <= 0.27
+    assert fallen["random"] > fallen["betweenness"] > 0.15
+
+
+def test_table_and_summary(ensemble):
+    rows = curve_table(ensemble)
+    assert list(rows.columns) == ["method", "beta", "d_f", "mean", "p90", "max", "p_value"]
+    assert len(rows) == 51 * len(METHODS)
+    assert set(rows.loc[rows["method"] == "bonacich", "beta"]) == {0.2, 0.5, 0.8}
+    assert (rows["mean"] <= rows["max"]).all()
+    found = json.loads(json.dumps(summary(ensemble)))
+    assert found["settings"] == {"n_forests": 6, "n_runs": 5, "seed": 3, "alpha": 0.01}
+    mean = ensemble["mean"].sel(ranking="random").to_numpy()
+    first = found["methods"]["random"]["d_f_below_0.3"]
+    assert mean[round(100 * first)] < 0.3 <= mean[round(100 * first) - 1]
+
+
+def test_equal_seeds_give_equal_ensembles(ensemble):
+    again = artificial_forest(n_forests=2, n_runs=5, seed=3, shape=(40, 47), threads=1)
+    np.testing.assert_array_equal(again["burnt_share"], ensemble["burnt_share"][:, :10])
+    with pytest.raises(ParameterError):
+        artificial_forest(n_forests=0)
+
+
+def test_grey_levels_are_sixteen_from_256_to_16():
+    frequency = np.linspace(0, 0.8, 161).reshape(7, 23)
+    frequency[:-1] += 1e-6  # off the edges of the bins
+    frequency[0, 0] = 0
+    levels = grey_levels(frequency)
+    assert set(levels.ravel()) == set(range(16, 257, 16))
+    assert levels[0, 0] == 256
+    assert levels[-1, -1] == 16
+    assert (np.diff(levels.ravel()) <= 0).all()
+    width = 0.8 / 16
+    assert all(256 - 16 * min(int(f / width), 15) == v for f, v in zip(frequency.flat, levels.flat, strict=True))
+    frequency[2, 3] = np.nan
+    assert grey_levels(frequency)[2, 3] == 0
+    assert (grey_levels(np.zeros((2, 3))) == 256).all()
+
+
+def test_experiment_on_a_landscape(sample):
+    left, right = float(sample["x"][20]), float(sample["x"][90])
+    bottom, top = float(sample["y"][80]), float(sample["y"][10])
+    result = landscape_experiment(sample, rectangle=(left, bottom, right, top), n_runs=20)
+    assert result.window.sizes["x"] == 71
+    assert result.window.sizes["y"] == 71
+    x, y = middle(sample)
+    assert bool(sample["burnable"].sel(x=x, y=y))
+    assert result.fire["burn_frequency"].sel(x=x, y=y) == 1
+    rows = cut_table(result)
+    np.testing.assert_allclose(rows[["sparse", "normal", "dense"]].sum(axis=1), 1)
+    assert rows["d_f"].tolist() == [0.14, 0.19]
+    n_burnable = int(result.window["burnable"].sum())
+    assert rows["cells_cut"].tolist() == [int(b * n_burnable + 0.5) for b in (0.14, 0.19)]
+    assert result.evaluation["mean"].sel(ranking="random", budget=0.4) < 0.5
+    with pytest.raises(ParameterError, match="at least 3 x 3"):
+        crop(sample, (0.0, 0.0, 1.0, 1.0))

@@ -1,0 +1,206 @@
+"""The whole way in Python: a plan of a small landscape, written, refused, stopped."""
+
+from __future__ import annotations
+
+import geopandas as gpd
+import numpy as np
+import pandas as pd
+import pytest
+import rasterio
+from shapely.geometry import Point
+
+from firebreak_gis import plan, rank, select_breaks, simulate, spread_network
+from firebreak_gis.errors import Cancelled, InputError, OutputError, ParameterError
+from firebreak_gis.landscape import read_landscape_folder
+from firebreak_gis.planning.outputs import PLAN_FILES, write_plan
+from firebreak_gis.planning.pipeline import default_budgets
+
+
+@pytest.fixture(scope="module")
+def landscape(make_landscape):
+    return make_landscape((22, 31), seed=2, relief=4.0)
+
+
+@pytest.fixture(scope="module")
+def result(landscape):
+    return plan(
+        landscape,
+        budget=0.14,
+        method="bonacich",
+        method_params={"beta": 0.2},
+        model_params={"wind_speed": 3},
+        n_runs=40,
+        seed=6,
+    )
+
+
+def test_a_plan_is_its_stages(landscape, result):
+    network = spread_network(landscape, wind_speed=3)
+    priority = rank(network, "bonacich", beta=0.2)
+    breaks = select_breaks(priority, budget=0.14)
+    np.testing.assert_array_equal(result.priority, priority)
+    np.testing.assert_array_equal(result.breaks, breaks)
+    assert result.before.identical(simulate(network, n_runs=40, seed=6))
+    assert result.after.identical(simulate(network, breaks=breaks, n_runs=40, seed=6))
+    assert set(result.evaluation["ranking"].to_numpy()) == {"bonacich", "random", "flammability"}
+
+
+def test_figures_of_a_plan(result):
+    n_burnable = result.network.n_burnable
+    summary, sizes = result.summary, result.fire_sizes
+    assert summary["burnable_cells"] == n_burnable
+    assert summary["cells_cut"] == int(0.14 * n_burnable + 0.5) == result.polygons["cells"].sum()
+    assert summary["ha_cut"] == pytest.approx(summary["cells_cut"] * 0.04)
+    assert summary["burnt_share_without_breaks"] == pytest.approx(sizes["cells_without_breaks"].mean() / n_burnable)
+    assert summary["burnt_share_with_breaks_max"] == pytest.approx(sizes["cells_with_breaks"].max() / n_burnable)
+    chosen = result.evaluation.sel(ranking="bonacich", budget=0.14)
+    assert summary["burnt_share_with_breaks"] == pytest.approx(float(chosen["mean"]))
+    assert summary["burnt_share_with_breaks_p90"] == pytest.approx(float(chosen["p90"]))
+    assert summary["p_value_against_random"] == float(chosen["p_value"])
+    assert (sizes["cells_with_breaks"] <= sizes["cells_without_breaks"]).all()
+
+
+def test_threads_change_nothing(landscape, result):
+    again = plan(
+        landscape,
+        budget=0.14,
+        method="bonacich",
+        method_params={"beta": 0.2},
+        model_params={"wind_speed": 3},
+        n_runs=40,
+        seed=6,
+        threads=1,
+    )
+    assert again.evaluation.identical(result.evaluation)
+    assert again.after.identical(result.after)
+
+
+def test_written_plan_is_read_back(landscape, result, tmp_path):
+    files = write_plan(result, tmp_path / "new" / "folder")
+    assert {f.name for f in files} == set(PLAN_FILES)
+    assert files[-1].name == "run.json"
+    folder = tmp_path / "new" / "folder"
+    back = read_landscape_folder(folder)
+    for name in ("elevation", "vegetation", "density", "burnable"):
+        np.testing.assert_array_equal(back[name], landscape[name])
+    for name, data in {
+        "breaks": result.breaks,
+        "burn_frequency": result.before["burn_frequency"],
+        "burn_frequency_with_breaks": result.after["burn_frequency"],
+    }.items():
+        with rasterio.open(folder / f"{name}.tif") as source:
+            stored = source.read(1, masked=True).astype(float).filled(np.nan)
+            assert source.crs.to_epsg() == 32635
+        np.testing.assert_array_equal(stored, data.to_numpy().astype(float))
+    pd.testing.assert_frame_equal(pd.read_csv(folder / "fire_sizes.csv"), result.fire_sizes, check_dtype=False)
+    frame = gpd.read_file(folder / "breaks.gpkg")
+    assert frame.geometry.geom_equals(result.polygons.geometry).all()
+
+
+def test_nothing_is_written_if_one_file_is_in_the_way(result, tmp_path):
+    (tmp_path / "overview.png").write_text("mine")
+    with pytest.raises(OutputError, match=r"overview\.png exists"):
+        write_plan(result, tmp_path)
+    assert [p.name for p in tmp_path.iterdir()] == ["overview.png"]
+    write_plan(result, tmp_path, overwrite=True)
+    assert (tmp_path / "overview.png").stat().st_size > 10_000
+
+
+def test_inputs_are_never_overwritten(result, tmp_path):
+    source = tmp_path / "elevation.tif"
+    source.write_bytes(b"the only copy")
+    with pytest.raises(OutputError, match="input"):
+        write_plan(result, tmp_path, inputs=[source], overwrite=True)
+    assert source.read_bytes() == b"the only copy"
+
+
+def test_wind_rasters_may_be_written_down(landscape, tmp_path):
+    """Rasters among the parameters are named by their content in the account."""
+    shape = landscape["burnable"].shape
+    wind = {"wind_speed": np.full(shape, 5.0), "wind_from_direction": 10.0}
+    windy = plan(landscape, method="flammability", model_params=wind, n_runs=3)
+    same = plan(landscape, method="flammability", model_params={**wind, "wind_speed": 5.0}, n_runs=3)
+    np.testing.assert_array_equal(windy.network.probability, same.network.probability)
+    write_plan(windy, tmp_path)
+    assert "array 22 x 31" in (tmp_path / "run.json").read_text()
+
+
+def test_nothing_to_cut_and_everything_to_cut(landscape, tmp_path):
+    none = plan(landscape, budget=0.0, method="random", n_runs=5)
+    assert none.breaks.sum() == 0
+    assert none.after["burn_count"].equals(none.before["burn_count"])
+    assert len(none.polygons) == 0
+    assert "p_value_against_random" not in none.summary
+    write_plan(none, tmp_path / "none")
+    assert len(gpd.read_file(tmp_path / "none/breaks.gpkg")) == 0
+    everything = plan(landscape, budget=1.0, method="random", n_runs=5)
+    assert everything.breaks.sum() == everything.network.n_burnable
+    assert everything.after["fire_size"].sum() == 0
+
+
+def test_fires_of_given_points(landscape):
+    row, col = np.argwhere(landscape["burnable"].to_numpy())[200]
+    point = Point(float(landscape["x"][col]), float(landscape["y"][row]))
+    frame = gpd.GeoDataFrame(geometry=[point], crs="EPSG:32635").to_crs("EPSG:4326")
+    burnt = plan(landscape, method="flammability", ignitions=frame, n_runs=12).before
+    assert burnt["burn_frequency"][row, col] == 1
+
+
+@pytest.mark.parametrize(
+    ("wrong", "error"),
+    [
+        ({"budget": 1.2}, ParameterError),
+        ({"n_runs": 0}, ParameterError),
+        ({"seed": -3}, ParameterError),
+        ({"residual": -0.5}, ParameterError),
+        ({"ignitions": [(0.0, 0.0)]}, InputError),
+        ({"ignitions": "nowhere.gpkg"}, InputError),
+        ({"method": "guess"}, ParameterError),
+        ({"model_params": {"p0": 7}}, ParameterError),
+    ],
+)
+def test_what_cannot_be_is_refused_before_the_long_work(landscape, wrong, error, monkeypatch):
+    """A wrong ignition must not be found after an hour of ranking."""
+    monkeypatch.setattr("firebreak_gis.ranking.bonacich.rank", lambda *_, **__: pytest.fail("ranked first"))
+    with pytest.raises(error):
+        plan(landscape, **{"method": "bonacich", **wrong})
+
+
+def test_a_plan_can_be_stopped_at_any_step(landscape, result, tmp_path):
+    heard = []
+    plan(landscape, method="bonacich", n_runs=5, progress=lambda fraction, message: heard.append((fraction, message)))
+    shares = [f for f, _ in heard]
+    assert shares == sorted(shares)
+    assert shares[-1] == pytest.approx(1.0)
+    messages = " ".join(m for _, m in heard)
+    for word in ("rank by bonacich", "without breaks", "with breaks", "evaluate"):
+        assert word in messages
+    for limit in (0.1, 0.4, 0.55, 0.9):
+
+        def stop(fraction, message, limit=limit):
+            if fraction >= limit:
+                raise Cancelled("enough")
+
+        with pytest.raises(Cancelled):
+            plan(landscape, method="bonacich", n_runs=5, progress=stop)
+
+    # A stop that is obeyed leaves nothing, even one that comes when all but the moving is done.
+    for limit in (0.5, 1.0):
+
+        def stop_writing(fraction, message, limit=limit):
+            if fraction >= limit:
+                raise Cancelled("enough")
+
+        with pytest.raises(Cancelled):
+            write_plan(result, tmp_path, progress=stop_writing)
+        assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("marked", [0.0, 0.14, 0.1 + 0.2, 0.7, 1.0])
+def test_budgets_hold_the_marked_one(marked):
+    budgets = default_budgets(marked)
+    assert (np.diff(budgets) > 0).all()
+    assert marked in budgets
+    assert budgets[0] == 0
+    assert budgets[-1] <= 1
+    assert budgets[-1] >= min(1.0, 1.2 * marked)

@@ -1,0 +1,87 @@
+"""Pieces of work on threads: all done once, stopped soon, counted as asked."""
+
+from __future__ import annotations
+
+import os
+import threading
+import time
+
+import pytest
+
+from firebreak_gis.errors import Cancelled, ParameterError
+from firebreak_gis.progress import silent
+from firebreak_gis.threads import run_pieces, thread_count
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+@pytest.mark.parametrize("n_pieces", [0, 1, 7, 40])
+def test_every_piece_is_done_once(threads, n_pieces):
+    done, heard, lock = [], [], threading.Lock()
+
+    def work(piece):
+        with lock:
+            done.append(piece)
+
+    run_pieces(work, range(n_pieces), threads=threads, progress=lambda f, m: heard.append((f, m)), message="working")
+    assert sorted(done) == list(range(n_pieces))
+    shares = [f for f, _ in heard]
+    assert shares == sorted(shares)
+    assert shares[-1] == 1.0
+    assert all(0 <= f <= 1 for f in shares)
+    assert {m for _, m in heard} == {"working"}
+
+
+def test_pieces_run_side_by_side():
+    meet = threading.Barrier(3, timeout=20)
+    run_pieces(lambda _: meet.wait(), range(3), threads=3, progress=silent, message="")
+
+
+def test_a_stop_drops_what_has_not_begun():
+    begun, gate = [], threading.Event()
+
+    def work(piece):
+        begun.append(piece)
+        gate.wait(20)
+
+    def progress(fraction, message):
+        if begun:
+            raise Cancelled("enough")
+
+    started = time.perf_counter()
+    with pytest.raises(Cancelled, match="enough"):
+        run_pieces(work, range(50), threads=2, progress=progress, message="")
+    assert time.perf_counter() - started < 10
+    gate.set()
+    time.sleep(0.05)
+    assert len(begun) <= 4
+
+
+def test_progress_is_heard_while_one_piece_takes_long():
+    heard = []
+    run_pieces(
+        lambda _: time.sleep(0.7), [0], threads=1, progress=lambda f, m: heard.append(time.perf_counter()), message=""
+    )
+    assert len(heard) >= 4
+
+
+def test_an_error_in_a_piece_comes_through():
+    def work(piece):
+        if piece == 3:
+            raise ZeroDivisionError("piece 3")
+
+    with pytest.raises(ZeroDivisionError, match="piece 3"):
+        run_pieces(work, range(6), threads=2, progress=silent, message="")
+
+
+def test_number_of_threads(monkeypatch):
+    monkeypatch.delenv("FIREBREAK_THREADS", raising=False)
+    assert 1 <= thread_count(None) <= (os.cpu_count() or 1)
+    monkeypatch.setenv("FIREBREAK_THREADS", "3")
+    assert thread_count(None) == 3
+    assert thread_count(5) == 5
+    for wrong in ("0", "-1", "two", "1.5"):
+        monkeypatch.setenv("FIREBREAK_THREADS", wrong)
+        with pytest.raises(ParameterError, match="at least 1"):
+            thread_count(None)
+    with pytest.raises(ParameterError):
+        thread_count(0)
