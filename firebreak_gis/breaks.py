@@ -1,8 +1,13 @@
-"""From a priority raster and a budget to the cells that are cut."""
+"""From a priority raster and a budget to the cells that are cut.
+
+`Budget` is the only place that turns amounts into cells and shares. It lives here, below all that cuts, since the
+simulation of a curve and the placement of patterns need it as well as plans do.
+"""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -12,11 +17,130 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.schema import annotate
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import geopandas as gpd
     import xarray as xr
 
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.stakes import Stakes
+
 #: What a budget counts: a share of the fuel, hectares, or money.
 BudgetUnit = Literal["share", "ha", "cost"]
+#: Sums of costs may pass a budget by this share, for their rounding.
+_ROUNDING = 1.0 + 1e-12
+#: Shares of a cell that hectares may lack for it, for their rounding.
+_SLACK = 1e-9
+
+
+@dataclass(frozen=True)
+class Budget:
+    """How much may be cut.
+
+    An impossible amount is refused where it is turned into cells, so that it can be named with all else that is wrong.
+
+    Parameters
+    ----------
+    amount
+        In the given unit.
+    unit
+        `"share"`: d_f, a share from 0 to 1 of the cells that hold fuel. `"ha"`: hectares. `"cost"`: money.
+
+    Examples
+    --------
+    >>> Budget(0.14).cells(n_burnable=1000)
+    140
+    >>> Budget(1.0, "ha").cells(n_burnable=1000, cell_area_ha=0.0625)
+    16
+    >>> Budget(5.0, "cost").affordable([2.0, 3.0, 1.0])
+    2
+    """
+
+    amount: float
+    unit: BudgetUnit = "share"
+
+    @classmethod
+    def of(cls, budget: float | Budget, unit: BudgetUnit = "share") -> Budget:
+        """A budget as it is, or the one of an amount and its unit."""
+        return budget if isinstance(budget, Budget) else cls(budget, unit)
+
+    @classmethod
+    def of_cost_share(cls, share: float, stakes: Stakes) -> Budget:
+        """The money that is a share of the cost of all fuel."""
+        return cls(share * float(stakes.cost.sum()), "cost")
+
+    def __str__(self) -> str:
+        return f"{self.amount:g} ({self.unit})"
+
+    def require(self) -> None:
+        """Refuse what no landscape could make possible.
+
+        Raises
+        ------
+        ParameterError
+            If the unit is unknown, or the amount is no share from 0 to 1, or negative or infinite.
+        """
+        if self.unit not in ("share", "ha", "cost"):
+            raise ParameterError(f"the unit of the budget is {self.unit!r}, expected share, ha or cost")
+        number = isinstance(self.amount, (int, float, np.number))
+        if self.unit == "share":
+            if not (number and 0.0 <= self.amount <= 1.0):
+                raise ParameterError(
+                    f"budget is {self.amount}, expected a share of the cells that hold fuel, from 0 to 1 (14 % is 0.14)"
+                )
+        elif not (number and math.isfinite(self.amount) and self.amount >= 0.0):
+            told = f"{self.amount} ha" if self.unit == "ha" else f"{self.amount}"
+            raise ParameterError(f"budget is {told}, expected a number of at least 0")
+
+    def cells(self, *, n_burnable: int, cell_area_ha: float = 1.0) -> int:
+        """Number of cells that a share or hectares buy: round(d_f N_v), halves up; or those that fit in whole.
+
+        Parameters
+        ----------
+        n_burnable
+            N_v, the cells that hold fuel, those included that may not be cut.
+        cell_area_ha
+            Area of a cell [ha].
+
+        Raises
+        ------
+        ParameterError
+            As `require`; or for money, whose cells depend on which are cut, see `affordable`.
+        """
+        self.require()
+        if self.unit == "cost":
+            raise ParameterError("a budget in cost needs the cost of every cell")
+        if self.unit == "share":
+            return math.floor(float(self.amount) * n_burnable + 0.5)
+        # A whole number of cells must not be lost to rounding.
+        return math.floor(float(self.amount) / cell_area_ha + _SLACK)
+
+    def affordable(self, costs: Sequence[float] | np.ndarray) -> int:
+        """Length of the longest beginning of `costs`, one a cell in the order of cutting, that money pays.
+
+        Raises
+        ------
+        ParameterError
+            As `require`.
+        """
+        self.require()
+        spent = np.cumsum(np.asarray(costs, dtype=np.float64))
+        return int(np.searchsorted(spent, self.amount * _ROUNDING, side="right"))
+
+    def pays(self, cost: float) -> bool:
+        """Whether money suffices for a cost."""
+        return bool(cost <= self.amount * _ROUNDING)
+
+    def cost_share(self, network: SpreadNetwork, stakes: Stakes) -> float:
+        """Share of the cost of all fuel that this is about; cells and hectares are taken at the mean cost."""
+        if self.unit == "share":
+            return float(self.amount)
+        total = float(stakes.cost.sum()) if self.unit == "cost" else network.n_burnable * network.grid.cell_area_ha
+        return min(1.0, float(self.amount) / total) if total > 0 else 1.0
+
+    def cell_share(self, network: SpreadNetwork, stakes: Stakes) -> float:
+        """Share of the cells with fuel that this is about; money is taken at the mean cost."""
+        return self.cost_share(network, stakes)
 
 
 def removal_order(priority: np.ndarray | xr.DataArray) -> np.ndarray:
@@ -43,32 +167,10 @@ def removal_order(priority: np.ndarray | xr.DataArray) -> np.ndarray:
     return position.reshape(values.shape)
 
 
-def cells_to_cut(budget: float, n_burnable: int) -> int:
-    """Number of cells that a budget buys: round(d_f N_v), halves up.
-
-    Parameters
-    ----------
-    budget
-        d_f, share of the cells that hold fuel, from 0 to 1.
-    n_burnable
-        N_v.
-
-    Raises
-    ------
-    ParameterError
-        If `budget` is not a share from 0 to 1.
-    """
-    if not (isinstance(budget, (int, float, np.number)) and 0.0 <= budget <= 1.0):
-        raise ParameterError(
-            f"budget is {budget}, expected a share of the cells that hold fuel, from 0 to 1 (14 % is 0.14)"
-        )
-    return math.floor(float(budget) * n_burnable + 0.5)
-
-
 def select_breaks(
     priority: xr.DataArray | np.ndarray,
     *,
-    budget: float,
+    budget: float | Budget,
     unit: BudgetUnit = "share",
     burnable: np.ndarray | xr.DataArray | None = None,
     cost: np.ndarray | xr.DataArray | None = None,
@@ -80,7 +182,7 @@ def select_breaks(
     priority
         (y, x), higher is cut earlier, -inf or NaN is never cut. Ties are cut by row, then column.
     budget
-        In the given unit.
+        A `Budget`, or an amount in the given unit.
     unit
         `"share"`: d_f, a share from 0 to 1 of the cells that hold fuel; exactly round(d_f N_v) cells are cut.
         `"ha"`: hectares; the cells that fit into them. `"cost"`: in the unit of `cost`; the longest beginning of
@@ -106,48 +208,36 @@ def select_breaks(
     -----
     Memory at the peak: at most 90 B a cell, a network and the priority included.
     """
+    amount = Budget.of(budget, unit)
     position = removal_order(priority)
     grid = Grid.of(priority) if hasattr(priority, "dims") else Grid((position.shape[0], position.shape[1]))
     n_candidates = int(np.count_nonzero(position >= 0))
     for name, plane in (("burnable", burnable), ("cost", cost)):
         if plane is not None and np.shape(plane) != position.shape:
             raise GridError(f"{name} has shape {np.shape(plane)}, expected {position.shape}")
-    if unit == "cost":
-        count = _affordable(position, cost, budget)
+    if amount.unit == "cost" and cost is not None:
+        count = amount.affordable(np.asarray(cost, dtype=np.float64).ravel()[_in_order(position)])
     else:
         n_burnable = n_candidates if burnable is None else int(np.count_nonzero(np.asarray(burnable)))
-        count = cells_to_cut(budget, n_burnable) if unit == "share" else _fitting(grid, budget, unit)
+        count = amount.cells(n_burnable=n_burnable, cell_area_ha=grid.cell_area_ha)
         if count > n_candidates:
-            most = n_candidates / max(n_burnable, 1) if unit == "share" else n_candidates * grid.cell_area_ha
+            most = n_candidates / max(n_burnable, 1) if amount.unit == "share" else n_candidates * grid.cell_area_ha
             raise ParameterError(
-                f"a budget of {budget:g} ({unit}) is {count} cells, but only {n_candidates} cells can be cut; "
+                f"a budget of {amount} is {count} cells, but only {n_candidates} cells can be cut; "
                 f"lower the budget to {most:.4g} or protect less"
             )
     mask = ((position >= 0) & (position < count)).astype(np.uint8)
-    return annotate(grid.dataarray(mask, "breaks")).assign_attrs(budget=float(budget), unit=unit, cells_cut=count)
+    told = {"budget": float(amount.amount), "unit": amount.unit, "cells_cut": count}
+    return annotate(grid.dataarray(mask, "breaks")).assign_attrs(told)
 
 
-def _fitting(grid: Grid, hectares: float, unit: str) -> int:
-    """Cells that fit into so many hectares."""
-    if unit != "ha":
-        raise ParameterError(f"the unit of the budget is {unit!r}, expected share, ha or cost")
-    if not (math.isfinite(hectares) and hectares >= 0.0):
-        raise ParameterError(f"budget is {hectares} ha, expected a number of at least 0")
-    # A whole number of cells must not be lost to rounding.
-    return math.floor(hectares / grid.cell_area_ha + 1e-9)
-
-
-def _affordable(position: np.ndarray, cost: np.ndarray | xr.DataArray | None, budget: float) -> int:
-    """Length of the longest beginning of the ranking that costs no more than the budget."""
-    if cost is None:
-        raise ParameterError("a budget in cost needs the cost of every cell")
-    if not (math.isfinite(budget) and budget >= 0.0):
-        raise ParameterError(f"budget is {budget}, expected a number of at least 0")
-    candidates = np.flatnonzero(position.ravel() >= 0)
+def _in_order(position: np.ndarray) -> np.ndarray:
+    """Row-major numbers of the cells that can be cut, the first to be cut first."""
+    flat = position.ravel()
+    candidates = np.flatnonzero(flat >= 0)
     order = np.empty(candidates.size, dtype=np.int64)
-    order[position.ravel()[candidates]] = candidates
-    spent = np.cumsum(np.asarray(cost, dtype=np.float64).ravel()[order])
-    return int(np.searchsorted(spent, budget * (1.0 + 1e-12), side="right"))
+    order[flat[candidates]] = candidates
+    return order
 
 
 def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -> gpd.GeoDataFrame:

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from firebreak_gis.breaks import break_polygons, cells_to_cut, removal_order, select_breaks
+from firebreak_gis.breaks import Budget, break_polygons, removal_order, select_breaks
 from firebreak_gis.errors import GridError, ParameterError
 from firebreak_gis.grid import Grid, parse_crs
 from tests.twins import breaks as twin
@@ -72,7 +72,7 @@ def test_share_counts_fuel_that_may_not_be_cut():
 @pytest.mark.parametrize("budget", [-0.1, 1.1, math.nan, math.inf, "much"])
 def test_impossible_budgets_are_refused(budget):
     with pytest.raises(ParameterError, match="budget"):
-        cells_to_cut(budget, 100)
+        Budget(budget).cells(n_burnable=100)
 
 
 def test_wrong_requests_are_refused():
@@ -88,7 +88,7 @@ def test_wrong_requests_are_refused():
 
 
 def test_halves_are_rounded_up():
-    assert [cells_to_cut(b, 10) for b in (0.05, 0.15, 0.25, 0.14, 0.0, 1.0)] == [1, 2, 3, 1, 0, 10]
+    assert [Budget(b).cells(n_burnable=10) for b in (0.05, 0.15, 0.25, 0.14, 0.0, 1.0)] == [1, 2, 3, 1, 0, 10]
 
 
 @settings(max_examples=25, deadline=None, derandomize=True)

@@ -104,7 +104,7 @@ def require_possible(given: Mapping[str, Any]) -> None:
     InputError
         If a file that an option names does not exist.
     """
-    from firebreak_gis.breaks import cells_to_cut
+    from firebreak_gis.breaks import Budget
     from firebreak_gis.network import checked_residual
 
     parsing.checked_seed(given["seed"])
@@ -112,7 +112,7 @@ def require_possible(given: Mapping[str, Any]) -> None:
         raise ParameterError(f"n_runs is {given['n_runs']}, expected a whole number of at least 1")
     checked_residual(given["residual"])
     if given["budget_unit"] == "share":
-        cells_to_cut(given["budget"], 1)
+        Budget(given["budget"]).require()
     plugins.build_params(plugins.load("ranking", given["method"]), given["method_params"])
     numbers = {WEATHER[option]: value for option, value in weather(given).items() if isinstance(value, float)}
     model = plugins.load("spread", given["model"])

@@ -202,14 +202,14 @@ def table(result: xr.Dataset) -> pd.DataFrame:
     """One row a method and budget: method, d_f, cells_cut, mean, p90, max, p_value, effect_size, ..."""
     import pandas as pd
 
-    from firebreak_gis.breaks import cells_to_cut
+    from firebreak_gis.breaks import Budget
 
     n_burnable = int(result.attrs["n_burnable"])
     rows = [
         {
             "method": name,
             "d_f": float(budget),
-            "cells_cut": cells_to_cut(float(budget), n_burnable),
+            "cells_cut": Budget(float(budget)).cells(n_burnable=n_burnable),
             **{
                 key: result[key].to_numpy()[i, k]
                 for key in ("mean", "p90", "max", "p_value", "effect_size", "significant")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from firebreak_gis.breaks import Budget
 from firebreak_gis.kernels.flow import patch_links, pieces_after
 from firebreak_gis.lattice import AZIMUTH, COL_STEP, ROW_STEP
 from firebreak_gis.placement.dissection import along, lines_first, links
@@ -136,7 +137,7 @@ def best_pattern(
     width: int,
     spacing: float | None,
     families: int,
-    budget: float,
+    cost_share: float,
     progress: Progress,
 ) -> np.ndarray:
     """Priority of the pattern that loses least over azimuths and shifts.
@@ -151,8 +152,8 @@ def best_pattern(
         Cells; None: the densest that the budget affords.
     families
         1 for stripes, 2 for a grid: how many sets of bands share the budget.
-    budget
-        Share of the cost of all fuel.
+    cost_share
+        Share of the cost of all fuel that the pattern may take.
 
     Returns
     -------
@@ -160,17 +161,18 @@ def best_pattern(
         (rows, cols) float64; cells off the pattern come last, the nearest to it first.
     """
     expected = ExpectedLoss(network, stakes)
+    money = Budget.of_cost_share(cost_share, stakes)
     best: tuple[float, list[np.ndarray]] = (np.inf, [])
     tries = [(azimuth, shift) for azimuth in azimuths for shift in _SHIFTS]
     for i, (azimuth, shift) in enumerate(tries):
         progress(i / len(tries), "trying patterns")
-        start = spacing or max(families * thickness(azimuth, width) / max(budget, 1e-6), 1.0)
+        start = spacing or max(families * thickness(azimuth, width) / max(cost_share, 1e-6), 1.0)
         for wider in range(1 if spacing else 30):
             lines = draw(network.shape, azimuth, width=width, spacing=start * 1.01**wider, shift=shift)
             cut = np.zeros(network.shape, bool)
             cut.ravel()[np.concatenate(lines)] = True
             cut &= network.burnable & ~stakes.protected
-            if stakes.cost[cut].sum() <= budget * stakes.cost.sum() * (1 + 1e-12):
+            if money.pays(stakes.cost[cut].sum()):
                 break
         lost = expected(cut)
         if lost < best[0]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from firebreak_gis.breaks import Budget, select_breaks
 from firebreak_gis.placement.fires import design_fires, losses
 from firebreak_gis.progress import part
 
@@ -96,23 +97,12 @@ def walls(
     return cells, costs
 
 
-def affordable(priority: np.ndarray, stakes: Stakes, budget: float) -> np.ndarray:
-    """Cells that a share of the cost of all fuel buys, in order of priority, (rows, cols) bool."""
-    flat = priority.ravel()
-    order = np.argsort(-flat, kind="stable")
-    order = order[flat[order] > -np.inf]
-    spent = np.cumsum(stakes.cost.ravel()[order])
-    mask = np.zeros(flat.size, bool)
-    mask[order[spent <= budget * stakes.cost.sum() * (1 + 1e-12)]] = True
-    return mask.reshape(priority.shape)
-
-
 def best_width(
     network: SpreadNetwork,
     stakes: Stakes,
     planner: Callable[[int, Progress], np.ndarray],
     *,
-    budget: float,
+    cost_share: float,
     residual: float,
     narrowest: int = 1,
     widest: int = 6,
@@ -129,7 +119,7 @@ def best_width(
     ----------
     planner
         Called as ``planner(width, progress)``; returns the priority for walls of that width.
-    budget
+    cost_share
         Share of the cost of all fuel for which the width is chosen.
     residual
         Share of its spread probability that an edge into a treated cell keeps.
@@ -150,7 +140,7 @@ def best_width(
     for i, width in enumerate(widths):
         step = part(progress, i / len(widths), (i + 1) / len(widths), f"walls of {width} cells: ")
         priority = planner(width, part(step, 0.0, 0.7))
-        cut = affordable(priority, stakes, budget)
+        cut = select_breaks(priority, budget=Budget.of_cost_share(cost_share, stakes), cost=stakes.cost).to_numpy() > 0
         lost = float(
             losses(
                 network, stakes, cut, fires, residual=residual, threads=threads, progress=part(step, 0.7, 1.0)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import cells_to_cut, select_breaks
+from firebreak_gis.breaks import Budget, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.progress import Progress, part, silent
@@ -103,7 +103,7 @@ def compare_plans(
         burnt[i, :, j], lost[i, :, j] = _burn(
             network, ranked, budgets, residual, None if value is None else worth, part(step, 0.6, 1.0), fires
         )
-    cut = [cells_to_cut(b, network.n_burnable) for b in budgets]
+    cut = [Budget(b).cells(n_burnable=network.n_burnable) for b in budgets]
     dims = ("ranking", "budget", "residual", "run")
     return xr.Dataset(
         {

@@ -18,7 +18,7 @@ from firebreak_gis.ranking import rank
 if TYPE_CHECKING:
     import xarray as xr
 
-    from firebreak_gis.breaks import BudgetUnit
+    from firebreak_gis.breaks import Budget
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
     from firebreak_gis.stakes import Stakes
@@ -29,8 +29,7 @@ def design(
     method: str,
     *,
     stakes: Stakes,
-    budget: float,
-    unit: BudgetUnit = "share",
+    budget: Budget,
     residual: float = 0.0,
     width: int = 1,
     params: Mapping[str, Any] | None = None,
@@ -46,8 +45,8 @@ def design(
     ----------
     network, method, stakes, seed, progress
         As in `ranking.rank`.
-    budget, unit
-        Of the plan, see `breaks.select_breaks`.
+    budget
+        Of the plan.
     residual
         Share of its spread probability that a treated cell keeps.
     width
@@ -74,7 +73,7 @@ def design(
     told = plan_params(
         method,
         params or {},
-        share=cost_share(network, stakes, budget, unit),
+        share=budget.cost_share(network, stakes),
         residual=residual,
         width=width,
         elevation=elevation,
@@ -88,7 +87,6 @@ def design(
             stakes,
             priority,
             budget=budget,
-            unit=unit,
             residual=residual,
             seed=seed,
             progress=part(progress, share, 1.0, "local search: "),
@@ -150,14 +148,6 @@ def _ranked(
     if width > 1 and not _wide_by_itself(method):
         return priority.copy(data=thickened(removal_order(priority), network, stakes, width))
     return priority
-
-
-def cost_share(network: SpreadNetwork, stakes: Stakes, budget: float, unit: BudgetUnit) -> float:
-    """Share of the cost of all fuel that a budget is about; a budget in cells or hectares is taken at the mean cost."""
-    if unit == "share":
-        return float(budget)
-    total = float(stakes.cost.sum()) if unit == "cost" else network.n_burnable * network.grid.cell_area_ha
-    return min(1.0, float(budget) / total) if total > 0 else 1.0
 
 
 def plan_params(

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.breaks import cells_to_cut
 from firebreak_gis.errors import FirebreakError, InputError, ParameterError
 from firebreak_gis.network import checked_residual
 
 if TYPE_CHECKING:
-    from firebreak_gis.breaks import BudgetUnit
+    from firebreak_gis.breaks import Budget
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.ignitions import Ignitions
     from firebreak_gis.stakes import Stakes
@@ -65,8 +64,7 @@ def feasibility(
     network: SpreadNetwork,
     stakes: Stakes,
     *,
-    budget: float,
-    unit: BudgetUnit = "share",
+    budget: Budget,
     width: float | None = None,
     residual: float = 0.0,
     refine: bool = False,
@@ -80,8 +78,8 @@ def feasibility(
         The spread network before cutting, existing barriers in it.
     stakes
         Costs, protected cells, values at risk and ignitions.
-    budget, unit
-        As in `breaks.select_breaks`.
+    budget
+        How much may be cut.
     width
         Least width of the breaks [m].
     residual
@@ -93,7 +91,7 @@ def feasibility(
     """
     check = _Check(network, stakes)
     check.reach()
-    check.afford(budget, unit)
+    check.afford(budget)
     check.width(width, residual)
     if refine and width_in_cells(width, network.grid.cell_size) > 1:
         check.problems.append(
@@ -142,50 +140,46 @@ class _Check:
                 )
             )
 
-    def afford(self, budget: float, unit: BudgetUnit) -> None:
+    def afford(self, budget: Budget) -> None:
         """How far the budget goes."""
         try:
-            cells = self._bought(budget, unit)
+            cells = self._bought(budget)
         except ParameterError as error:
             self.problems.append(error)
             return
-        if cells == 0 < budget and self.n_free:
-            self.warnings.append(f"a budget of {budget:g} ({unit}) does not buy a single cell, so nothing is cut")
+        if cells == 0 < budget.amount and self.n_free:
+            self.warnings.append(f"a budget of {budget} does not buy a single cell, so nothing is cut")
 
-    def _bought(self, budget: float, unit: BudgetUnit) -> int:
+    def _bought(self, budget: Budget) -> int:
         """Cells that the budget can buy at most."""
-        if unit == "cost":
+        if budget.unit == "cost":
             return self._money(budget)
-        if unit == "share":
-            cells = cells_to_cut(budget, self.n_fuel)
-        else:
-            cells = math.floor(_amount(budget) / self.grid.cell_area_ha + 1e-9)
+        cells = budget.cells(n_burnable=self.n_fuel, cell_area_ha=self.grid.cell_area_ha)
         if cells > self.n_free and self.n_free:
-            most = f"{self.n_free / self.n_fuel:.4g}" if unit == "share" else f"{self._ha(self.n_free):,.6g} ha"
+            most = f"{self.n_free / self.n_fuel:.4g}" if budget.unit == "share" else f"{self._ha(self.n_free):,.6g} ha"
             raise ParameterError(
-                f"a budget of {budget:g} ({unit}) is {self._area(cells)}, but only {self._area(self.n_free)} can be "
+                f"a budget of {budget} is {self._area(cells)}, but only {self._area(self.n_free)} can be "
                 f"cut; lower the budget to {most} or protect less"
             )
         share = 100.0 * cells / max(self.n_fuel, 1)
         self.account.append(f"the budget is {self._area(cells)}, {share:.4g} % of the fuel")
         return cells
 
-    def _money(self, budget: float) -> int:
+    def _money(self, budget: Budget) -> int:
         if not self.stakes.priced:
             raise ParameterError("a budget in cost needs to know what cutting costs; give the cost (--cost)")
+        budget.require()
         prices = np.sort(self.stakes.cost[self.free])
-        total, money = float(prices.sum()), _amount(budget)
+        total, money = float(prices.sum()), budget.amount
         if self.n_free and money > total * (1 + 1e-12):
             raise ParameterError(
-                f"a budget of {budget:,.6g} (cost) is more than cutting everything that may be cut costs; "
+                f"a budget of {money:,.6g} (cost) is more than cutting everything that may be cut costs; "
                 f"lower it to {total:,.6g} at most"
             )
-        most, least = (
-            int(np.searchsorted(np.cumsum(row), money * (1 + 1e-12), side="right")) for row in (prices, prices[::-1])
-        )
+        most, least = budget.affordable(prices), budget.affordable(prices[::-1])
         mean = money / float(prices.mean()) if total > 0 else self.n_free
         self.account.append(
-            f"the budget of {budget:,.6g} buys {self._ha(least):,.4g} to {self._ha(most):,.4g} ha, "
+            f"the budget of {money:,.6g} buys {self._ha(least):,.4g} to {self._ha(most):,.4g} ha, "
             f"about {self._ha(mean):,.4g} ha at the mean cost"
         )
         return most
@@ -241,9 +235,3 @@ class _Check:
 
     def _area(self, cells: int) -> str:
         return f"{cells} {'cell' if cells == 1 else 'cells'} ({self._ha(cells):,.6g} ha)"
-
-
-def _amount(budget: float) -> float:
-    if not (math.isfinite(budget) and budget >= 0.0):
-        raise ParameterError(f"budget is {budget}, expected a number of at least 0")
-    return float(budget)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import BudgetUnit, break_polygons, cells_to_cut, removal_order, select_breaks
+from firebreak_gis.breaks import Budget, BudgetUnit, break_polygons, removal_order, select_breaks
 from firebreak_gis.construction.compartments import compartments
 from firebreak_gis.construction.segments import segments
 from firebreak_gis.evaluation.curves import evaluate
@@ -218,12 +218,12 @@ def plan(
     stakes = Stakes(network, cost=cost, protected=protected, value=value, ignition=ignition)
     if ignitions is None and ignition is not None:
         ignitions = stakes.ignition
+    amount = Budget(budget, budget_unit)
     # What cannot be is refused now, not after the ranking.
     found = feasibility(
         network,
         stakes,
-        budget=budget,
-        unit=budget_unit,
+        budget=amount,
         width=width,
         residual=residual,
         refine=refine,
@@ -236,8 +236,7 @@ def plan(
         network,
         method,
         stakes=stakes,
-        budget=budget,
-        unit=budget_unit,
+        budget=amount,
         residual=residual,
         refine=refine,
         width=width_in_cells(width, network.grid.cell_size),
@@ -247,7 +246,7 @@ def plan(
         seed=seed,
         progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
     )
-    breaks = select_breaks(priority, budget=budget, unit=budget_unit, burnable=network.burnable, cost=stakes.cost)
+    breaks = select_breaks(priority, budget=amount, burnable=network.burnable, cost=stakes.cost)
     fires: dict[str, Any] = {
         "ignitions": ignitions,
         "ignition_mode": ignition_mode,
@@ -295,7 +294,7 @@ def plan(
 def reachable(budgets: np.ndarray, priority: xr.DataArray, network: SpreadNetwork) -> np.ndarray:
     """Those of the budgets that protected cells leave enough cells for."""
     candidates = int(np.count_nonzero(removal_order(priority) >= 0))
-    return budgets[[cells_to_cut(float(b), network.n_burnable) <= candidates for b in budgets]]
+    return budgets[[Budget(float(b)).cells(n_burnable=network.n_burnable) <= candidates for b in budgets]]
 
 
 def default_budgets(*marked: float, n_levels: int = 41) -> np.ndarray:

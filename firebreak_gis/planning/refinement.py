@@ -16,7 +16,7 @@ from firebreak_gis.progress import part
 if TYPE_CHECKING:
     import xarray as xr
 
-    from firebreak_gis.breaks import BudgetUnit
+    from firebreak_gis.breaks import Budget
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.placement.gains import Kernel
     from firebreak_gis.progress import Progress
@@ -136,8 +136,7 @@ def refine(
     stakes: Stakes,
     priority: np.ndarray | xr.DataArray,
     *,
-    budget: float,
-    unit: BudgetUnit = "share",
+    budget: Budget,
     residual: float = 0.0,
     moves: int = 200,
     n_runs: int = 200,
@@ -160,8 +159,8 @@ def refine(
         What is planned for.
     priority
         (rows, cols) of any ranking; cells at -inf are not cut.
-    budget, unit
-        As in `select_breaks`.
+    budget
+        Of the plan.
     residual
         Share of its spread probability that an edge into a treated cell keeps.
     moves
@@ -196,15 +195,14 @@ def refine(
         select_breaks(
             network.grid.dataarray(plane, "priority"),
             budget=budget,
-            unit=unit,
             burnable=network.burnable,
             cost=stakes.cost,
         )
     )
     if not before.any():
         return plane
-    price = stakes.cost if unit == "cost" else network.burnable.astype(np.float64)
-    limit = budget if unit == "cost" else float(np.count_nonzero(before))
+    price = stakes.cost if budget.unit == "cost" else network.burnable.astype(np.float64)
+    limit = budget.amount if budget.unit == "cost" else float(np.count_nonzero(before))
     design = fires or design_fires(network, stakes, n_runs=n_runs, seed=seed, residual=residual)
     plan = _Plan(network, stakes, plane > -np.inf, before, design, price, limit, threads)
     cells = _search(plan, moves, seed, part(progress, 0.0, 0.9))

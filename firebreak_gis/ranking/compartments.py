@@ -59,7 +59,7 @@ def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, p
             width=params.width,
             spacing=params.spacing,
             families=2,
-            budget=params.budget,
+            cost_share=params.budget,
             progress=progress,
         )
 

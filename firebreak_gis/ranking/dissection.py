@@ -78,7 +78,7 @@ def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, p
             stakes,
             lambda width, step: _walls_first(network, params, stakes, width, step),
             narrowest=params.least_width,
-            budget=params.budget,
+            cost_share=params.budget,
             residual=params.residual,
             seed=seed,
             progress=progress,

@@ -60,7 +60,7 @@ def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, p
             width=params.width,
             spacing=params.spacing,
             families=1,
-            budget=params.budget,
+            cost_share=params.budget,
             progress=progress,
         )
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import cells_to_cut, removal_order
+from firebreak_gis.breaks import Budget, removal_order
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.schema import annotate
@@ -198,7 +198,7 @@ def cut_levels(
     """
     if len(budgets) == 0 or np.any(np.diff(budgets) < 0):
         raise ParameterError("budgets must be a rising list of shares, for example 0.0, 0.05, 0.1")
-    cut = np.array([cells_to_cut(budget, network.n_burnable) for budget in budgets])
+    cut = np.array([Budget(budget).cells(n_burnable=network.n_burnable) for budget in budgets])
     position = removal_order(network.plane(priority, "priority"))
     levels = np.searchsorted(cut, position, side="right") - 1
     levels[position < 0] = len(cut) - 1

@@ -18,6 +18,7 @@ import numpy as np
 from scipy.ndimage import gaussian_filter
 
 from firebreak_gis import plugins
+from firebreak_gis.breaks import Budget
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.fires import Fires, design_fires, losses
 from firebreak_gis.planning.refinement import refine
@@ -114,8 +115,7 @@ def searched(problem: Window, priority: np.ndarray, *, moves: int) -> np.ndarray
             problem.network,
             problem.stakes,
             priority,
-            budget=float(problem.count),
-            unit="cost",
+            budget=Budget(float(problem.count), "cost"),
             fires=problem.fires,
             moves=moves,
             progress=silent,

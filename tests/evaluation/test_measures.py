@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from firebreak_gis import plan, rank, simulate, spread_network
-from firebreak_gis.breaks import select_breaks
+from firebreak_gis.breaks import Budget, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.placement.fires import design_fires
@@ -105,7 +105,7 @@ def test_plans_are_made_for_their_budget_and_leak(network):
     for name in methods:
         for budget in budgets:
             for residual in residuals:
-                priority = design(network, name, stakes=stakes, budget=budget, residual=residual, seed=2)
+                priority = design(network, name, stakes=stakes, budget=Budget(budget), residual=residual, seed=2)
                 mask = select_breaks(priority, budget=budget, burnable=network.burnable)
                 burns = simulate(network, breaks=mask, residual=residual, n_runs=30, seed=2 + FRESH)
                 chosen = result.sel(ranking=name, budget=budget, residual=residual)

@@ -8,11 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from firebreak_gis import plugins
-from firebreak_gis.breaks import removal_order, select_breaks
+from firebreak_gis.breaks import Budget, removal_order, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.widening import offsets
-from firebreak_gis.planning.design import cost_share, design, plan_params
+from firebreak_gis.planning.design import design, plan_params
 from firebreak_gis.planning.pipeline import plan
 from firebreak_gis.planning.thickening import thickened
 from firebreak_gis.ranking import rank
@@ -53,10 +53,12 @@ def test_share_of_the_cost():
     network = random_network(0)
     cost = np.where(network.burnable, np.arange(154.0).reshape(11, 14), 0.0)
     stakes = Stakes(network, cost=cost)
-    assert cost_share(network, stakes, 0.3, "share") == 0.3
-    assert cost_share(network, stakes, cost.sum() / 4, "cost") == pytest.approx(0.25)
-    assert cost_share(network, stakes, network.n_burnable * network.grid.cell_area_ha / 5, "ha") == pytest.approx(0.2)
-    assert cost_share(network, Stakes(network, cost=np.zeros(network.shape)), 10.0, "cost") == 1.0
+    assert Budget(0.3).cost_share(network, stakes) == 0.3
+    assert Budget(cost.sum() / 4, "cost").cost_share(network, stakes) == pytest.approx(0.25)
+    assert Budget(network.n_burnable * network.grid.cell_area_ha / 5, "ha").cost_share(
+        network, stakes
+    ) == pytest.approx(0.2)
+    assert Budget(10.0, "cost").cost_share(network, Stakes(network, cost=np.zeros(network.shape))) == 1.0
 
 
 def test_a_plan_with_leaks_is_designed_for_them(make_landscape):
@@ -113,7 +115,7 @@ def test_breaks_have_the_width_asked_for(method):
     """Every cut cell lies in a square of that width that is cut as far as it holds fuel, but for the last piece."""
     network = SpreadNetwork(np.full((8, 40, 50), 0.6))
     stakes = Stakes(network)
-    wide = design(network, method, stakes=stakes, budget=0.2, width=3)
+    wide = design(network, method, stakes=stakes, budget=Budget(0.2), width=3)
     cut = select_breaks(wide, budget=0.2, burnable=network.burnable).to_numpy() > 0
     padded = np.pad(cut, 3, constant_values=True)
     whole = np.zeros(cut.shape, bool)
@@ -149,8 +151,7 @@ def test_costs_are_exact_to_the_budget_and_protected_cells_stay(seed, method, wi
         network,
         method,
         stakes=stakes,
-        budget=budget,
-        unit="cost",
+        budget=Budget(budget, "cost"),
         width=width,
         seed=seed,
         params={"fires": 5} if method == "downstream" else None,

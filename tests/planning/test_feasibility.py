@@ -12,6 +12,7 @@ from affine import Affine
 from click.testing import CliRunner
 from shapely.geometry import box
 
+from firebreak_gis.breaks import Budget
 from firebreak_gis.cli import firebreak
 from firebreak_gis.errors import CRSError, InputError, ParameterError
 from firebreak_gis.grid import Grid
@@ -43,7 +44,7 @@ def west(columns):
 
 
 def found(network, budget=0.1, unit="share", protected=None, cost=None, **more):
-    return feasibility(network, Stakes(network, protected=protected, cost=cost), budget=budget, unit=unit, **more)
+    return feasibility(network, Stakes(network, protected=protected, cost=cost), budget=Budget(budget, unit), **more)
 
 
 def problem(network, *words, **asked):

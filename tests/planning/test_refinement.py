@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from firebreak_gis.breaks import removal_order, select_breaks
+from firebreak_gis.breaks import Budget, removal_order, select_breaks
 from firebreak_gis.errors import Cancelled, ParameterError
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.fires import design_fires, losses
@@ -43,7 +43,14 @@ def test_not_worse_on_its_fires_and_exact_to_the_budget(method, residual, unit):
     priority = rank(network, method, stakes=stakes).values
     fires = design_fires(network, stakes, n_runs=60, seed=3, residual=residual)
     refined = refine(
-        network, stakes, priority, budget=budget, unit=unit, residual=residual, moves=30, fires=fires, progress=silent
+        network,
+        stakes,
+        priority,
+        budget=Budget(budget, unit),
+        residual=residual,
+        moves=30,
+        fires=fires,
+        progress=silent,
     )
     before, after = (cut_by(network, stakes, plan, budget, unit) for plan in (priority, refined))
     old, new = (
@@ -65,7 +72,7 @@ def test_one_priority_with_the_cells_kept_in_their_old_order():
     network, stakes = case(2, "periodic")
     priority = rank(network, "random", stakes=stakes).values
     fires = design_fires(network, stakes, n_runs=40, seed=3)
-    refined = refine(network, stakes, priority, budget=0.1, moves=12, fires=fires, progress=silent)
+    refined = refine(network, stakes, priority, budget=Budget(0.1), moves=12, fires=fires, progress=silent)
     assert (np.isfinite(refined) == np.isfinite(priority)).all()
     old, new = removal_order(priority), removal_order(refined)
     for cut in (cut_by(network, stakes, refined, 0.1), ~cut_by(network, stakes, refined, 0.1)):
@@ -78,7 +85,7 @@ def test_a_result_that_is_not_better_on_other_fires_is_not_taken():
     for seed in range(6):
         network, stakes = case(10 + seed)
         priority = rank(network, "dissection", stakes=stakes).values
-        refined = refine(network, stakes, priority, budget=0.1, moves=10, n_runs=8, seed=seed, progress=silent)
+        refined = refine(network, stakes, priority, budget=Budget(0.1), moves=10, n_runs=8, seed=seed, progress=silent)
         taken.append(not np.array_equal(refined, priority))
         if taken[-1]:
             assert not np.array_equal(*(cut_by(network, stakes, plan, 0.1) for plan in (priority, refined)))
@@ -89,7 +96,7 @@ def test_better_on_fires_that_it_has_not_seen():
     network, stakes = case(3)
     priority = rank(network, "bonacich", stakes=stakes).values
     fresh = design_fires(network, stakes, n_runs=600, seed=77)
-    refined = refine(network, stakes, priority, budget=0.1, moves=40, n_runs=150, progress=silent)
+    refined = refine(network, stakes, priority, budget=Budget(0.1), moves=40, n_runs=150, progress=silent)
     old, new = (
         losses(network, stakes, cut_by(network, stakes, plan, 0.1), fresh, progress=silent).mean()
         for plan in (priority, refined)
@@ -105,7 +112,7 @@ def test_useless_cells_go_to_the_gap():
     column = np.arange(15) * np.ones((11, 1))
     stakes = Stakes(network, value=np.where(column > 7, 1.0, 1e-6), ignition=column < 7)
     priority = rank(network, "random", stakes=stakes).values
-    refined = refine(network, stakes, priority, budget=2.0, unit="cost", n_runs=50, progress=silent)
+    refined = refine(network, stakes, priority, budget=Budget(2.0, "cost"), n_runs=50, progress=silent)
     after = cut_by(network, stakes, refined, 2.0, "cost")
     assert after[4, 7]
     fires = design_fires(network, stakes, n_runs=50, seed=1)
@@ -121,7 +128,7 @@ def test_walls_are_widened_where_breaks_leak():
     priority = np.where(column == 10, 2.0, np.where(column == 23, 1.0, -column))
     budget = 18.0
     refined = refine(
-        network, stakes, priority, budget=budget, unit="cost", residual=0.15, n_runs=200, moves=25, progress=silent
+        network, stakes, priority, budget=Budget(budget, "cost"), residual=0.15, n_runs=200, moves=25, progress=silent
     )
     after = cut_by(network, stakes, refined, budget, "cost")
     fresh = design_fires(network, stakes, n_runs=1000, seed=9, residual=0.15)
@@ -142,7 +149,7 @@ def test_threads_do_not_change_the_result():
             network,
             stakes,
             priority,
-            budget=0.1,
+            budget=Budget(0.1),
             residual=0.1,
             moves=8,
             n_runs=600,
@@ -163,12 +170,12 @@ def test_cancelling_and_refusing():
         raise Cancelled("stopped")
 
     with pytest.raises(Cancelled):
-        refine(network, stakes, priority, budget=0.1, progress=stop)
+        refine(network, stakes, priority, budget=Budget(0.1), progress=stop)
     with pytest.raises(ParameterError, match="budget"):
-        refine(network, stakes, priority, budget=1.2, progress=silent)
+        refine(network, stakes, priority, budget=Budget(1.2), progress=silent)
 
 
 def test_nothing_to_cut_comes_back_as_it_is():
     network = SpreadNetwork(np.full((8, 3, 4), 0.5, np.float32), burnable=np.zeros((3, 4), bool))
     plane = np.zeros((3, 4))
-    assert np.isneginf(refine(network, Stakes(network), plane, budget=0.1, progress=silent)).all()
+    assert np.isneginf(refine(network, Stakes(network), plane, budget=Budget(0.1), progress=silent)).all()

@@ -139,6 +139,7 @@ def _require_possible(
     network: SpreadNetwork, at_stake: Stakes, methods: list[Any], budgets: list[float], residuals: list[float]
 ) -> None:
     """Refuse before the first ranking what a later one would be refused for."""
+    from firebreak_gis.breaks import Budget
     from firebreak_gis.network import checked_residual
     from firebreak_gis.planning.feasibility import feasibility, raise_together
 
@@ -155,5 +156,5 @@ def _require_possible(
             problems.append(error)
     for budget in budgets:
         told = {str(problem) for problem in problems}
-        problems += [p for p in feasibility(network, at_stake, budget=budget).problems if str(p) not in told]
+        problems += [p for p in feasibility(network, at_stake, budget=Budget(budget)).problems if str(p) not in told]
     raise_together(problems)
