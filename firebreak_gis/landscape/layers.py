@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from firebreak_gis.errors import InputError, LegendError
@@ -12,30 +10,8 @@ from firebreak_gis.landscape.alignment import align_classes, align_values
 from firebreak_gis.landscape.legends import Legend
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.rasters import Header
+from firebreak_gis.rasters.units import LENGTH, require_known, told
 
-#: Metres per unit, by the words that files use.
-METRES: Mapping[str, float] = {
-    "": 1.0,
-    "m": 1.0,
-    "metre": 1.0,
-    "metres": 1.0,
-    "meter": 1.0,
-    "meters": 1.0,
-    "1": 1.0,
-    "unknown": 1.0,
-    "ft": 0.3048,
-    "feet": 0.3048,
-    "foot": 0.3048,
-    "international foot": 0.3048,
-    "us-ft": 1200 / 3937,
-    "us survey foot": 1200 / 3937,
-    "ftus": 1200 / 3937,
-    "foot_us": 1200 / 3937,
-    "km": 1000.0,
-    "dm": 0.1,
-    "cm": 0.01,
-    "mm": 0.001,
-}
 #: Elevations in metres that exist on land; the deepest sea bed.
 HIGHEST, LOWEST, DEEPEST = 9000.0, -500.0, -12000.0
 
@@ -43,21 +19,15 @@ HIGHEST, LOWEST, DEEPEST = 9000.0, -500.0, -12000.0
 def elevation_on(header: Header, grid: Grid, account: Account) -> np.ndarray:
     """Elevation on the grid in metres, NaN for no data."""
     values = align_values(header, grid, "elevation", account)
-    word = header.units.strip().lower()
-    if word not in METRES:
-        raise InputError(
-            f"{header.path} is in {header.units!r}, expected elevations in m or ft; set the true unit: "
-            f"gdal_edit.py -units m FILE"
-        )
-    factor = METRES[word]
-    if word in ("", "1", "unknown") and header.vertical is not None:
-        factor = header.vertical
+    require_known(header.units, LENGTH, header.path)
+    silent = told(header.units) in ("", "1")
+    factor = header.vertical if silent and header.vertical is not None else LENGTH.convert(1.0, header.units)
     if factor != 1:
         values *= np.float32(factor)
         account.alignment.append(
-            f"elevation: multiplied by {factor:.9g} to get metres from {header.units or 'the unit of its CRS'}"
+            f"elevation: multiplied by {factor:.9g} to get metres from {told(header.units) or 'the unit of its CRS'}"
         )
-    elif word in ("", "1", "unknown") and "foot" in _unit_of(header):
+    elif silent and "foot" in _unit_of(header):
         account.warn(
             f"elevation: its CRS is in {_unit_of(header)} but its own unit is not stated and was taken "
             "as metres; if it is feet, set it: gdal_edit.py -units ft FILE"

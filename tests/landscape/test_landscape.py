@@ -385,7 +385,7 @@ def test_feet_of_a_compound_crs_become_metres(tmp_path):
     ("change", "more", "match"),
     [
         (lambda v: v + 20_000, {}, "elevations from"),
-        (lambda v: v, {"units": "degrees"}, "expected elevations in m or ft"),
+        (lambda v: v, {"units": "degrees"}, "expected a length in one of: m, "),
         (lambda v: np.full_like(v, np.nan), {}, "no data"),
     ],
 )
