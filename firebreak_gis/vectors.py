@@ -216,7 +216,7 @@ def _frames(source: Any) -> tuple[str, list[gpd.GeoDataFrame]]:
 
     try:
         layers = [str(row[0]) for row in pyogrio.list_layers(name) if row[1] is not None]
-        frames = [gpd.read_file(name, layer=layer, engine="pyogrio") for layer in layers]
+        frames = [_read_layer(name, layer) for layer in layers]
     except (DataSourceError, DataLayerError, ShapelyError, OSError, ValueError) as error:
         raise InputError(f"{name} cannot be read as vector data ({str(error)[:120]}); is it complete?") from error
     except MemoryError as error:  # as many features as the header of a damaged file may claim
@@ -227,12 +227,25 @@ def _frames(source: Any) -> tuple[str, list[gpd.GeoDataFrame]]:
     return name, frames
 
 
+def _read_layer(name: str, layer: str) -> gpd.GeoDataFrame:
+    """Shapefiles cut names after ten bytes, perhaps in the middle of a letter; then each byte is read as one."""
+    import geopandas as gpd
+
+    try:
+        return gpd.read_file(name, layer=layer, engine="pyogrio")
+    except UnicodeDecodeError:
+        return gpd.read_file(name, layer=layer, engine="pyogrio", ENCODING="ISO-8859-1")
+
+
 def _require_whole(name: str, layers: list[str], frames: list[gpd.GeoDataFrame]) -> None:
     """A FlatGeobuf cut off between two features reads without a word; its header knows how many there were."""
     import pyogrio
 
     for layer, frame in zip(layers, frames, strict=True):
-        told = pyogrio.read_info(name, layer=layer)
+        try:
+            told = pyogrio.read_info(name, layer=layer)
+        except UnicodeDecodeError:
+            continue  # a Shapefile, see _read_layer
         if told["driver"] == "FlatGeobuf" and told["features"] > len(frame):
             raise InputError(
                 f"{name} is damaged or cut off: {len(frame)} features were found, {told['features']} expected; copy or "

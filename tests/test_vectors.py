@@ -197,3 +197,16 @@ def test_a_flatgeobuf_cut_between_features_is_refused(tmp_path):
         found.add("expected; copy" in str(caught.value))
     assert found == {True, False}
     assert len(vectors.read_polygons(path, UTM)) == len(boxes())
+
+
+def test_names_cut_in_the_middle_of_a_letter_are_read(tmp_path):
+    """Shapefiles hold ten bytes of a name; "surface_m²" has eleven."""
+    frame = boxes()[["priority", "geometry"]].rename(columns={"priority": "surface_mX"})
+    frame.to_file(tmp_path / "scar.shp", engine="pyogrio")
+    table = tmp_path / "scar.dbf"
+    table.write_bytes(table.read_bytes().replace(b"surface_mX", b"surface_m\xc2"))
+    with pytest.raises(UnicodeDecodeError):
+        gpd.read_file(tmp_path / "scar.shp", engine="pyogrio")
+    back = vectors.read_polygons(tmp_path / "scar.shp", UTM)
+    assert list(back[back.columns[0]]) == [1, 2, 3]
+    assert back.area.tolist() == [2000.0] * 3
