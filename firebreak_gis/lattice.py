@@ -23,3 +23,8 @@ AZIMUTH: Final = tuple(45.0 * d for d in range(8))
 OPPOSITE: Final = tuple((d + 4) % 8 for d in range(8))
 #: The directions that share a side with the cell.
 ORTHOGONAL: Final = (0, 2, 4, 6)
+
+#: Travel time of an edge that does not exist, as uint32.
+NEVER: Final = 0xFFFFFFFF
+#: The longest travel time of an edge [s], 194 days: whole seconds up to here are exact in float32, as files hold them.
+LONGEST: Final = 1 << 24

@@ -10,7 +10,7 @@ import numpy as np
 
 from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import UNREFERENCED, Grid, parse_crs
-from firebreak_gis.lattice import COL_STEP, DIRECTIONS, OPPOSITE, ROW_STEP
+from firebreak_gis.lattice import COL_STEP, DIRECTIONS, LONGEST, NEVER, OPPOSITE, ROW_STEP, STEP_LENGTH
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -37,13 +37,23 @@ class SpreadNetwork:
         `"open"`, or `"periodic"`: the grid is a torus (an artificial forest).
     crs, transform
         Where the grid lies; taken from `probability` if that is a DataArray.
+    provenance
+        What is to be known of the network, as plain data.
+    travel_time
+        (8, rows, cols) seconds that fire takes along each edge, for fires with a clock; None for a network without
+        times. Whole numbers, or floats with NaN where there is no edge, which are rounded; at least 1 on every edge
+        with p > 0. Kept as uint32: `lattice.NEVER` where p = 0; what is longer than `lattice.LONGEST` (194 days) is
+        set to it.
+    heat
+        (rows, cols) heat that a cell releases per area of the map when it burns [kJ/m2]; needs `travel_time`. Then
+        `intensity` and `flame_length` are known.
 
     Raises
     ------
     GridError
         If a shape does not fit.
     InputError
-        If a probability is NaN or outside [0, 1].
+        If a probability is NaN or outside [0, 1], an edge has no time, or a heat is negative or missing on fuel.
     """
 
     probability: np.ndarray
@@ -51,6 +61,8 @@ class SpreadNetwork:
     boundary: Boundary
     grid: Grid
     provenance: dict[str, Any] = field(default_factory=dict)
+    travel_time: np.ndarray | None = None
+    heat: np.ndarray | None = None
 
     def __init__(
         self,
@@ -61,6 +73,8 @@ class SpreadNetwork:
         crs: Any = None,
         transform: Affine | None = None,
         provenance: dict[str, Any] | None = None,
+        travel_time: np.ndarray | xr.DataArray | None = None,
+        heat: np.ndarray | xr.DataArray | None = None,
     ) -> None:
         grid = _grid_of(probability) if hasattr(probability, "dims") else None
         values = np.array(probability, dtype=np.float32, order="C")
@@ -87,14 +101,21 @@ class SpreadNetwork:
             values *= fuel
             for d in range(8):
                 values[d] *= neighbour(fuel, d, boundary)
-        values.flags.writeable = False
-        fuel.flags.writeable = False
+        if heat is not None and travel_time is None:
+            raise ParameterError("heat was given without travel_time, which fire-line intensities need as well")
+        times = None if travel_time is None else _whole_seconds(travel_time, values, grid)
+        released = None if heat is None else _heat_of(heat, fuel, grid)
+        for array in (values, fuel, times, released):
+            if array is not None:
+                array.flags.writeable = False
         for name, value in (
             ("probability", values),
             ("burnable", fuel),
             ("boundary", boundary),
             ("grid", grid),
             ("provenance", dict(provenance or {})),
+            ("travel_time", times),
+            ("heat", released),
         ):
             object.__setattr__(self, name, value)
 
@@ -102,6 +123,27 @@ class SpreadNetwork:
     def shape(self) -> tuple[int, int]:
         """(rows, cols)."""
         return self.grid.shape
+
+    @property
+    def timed(self) -> bool:
+        """Whether the network has travel times, so that fires can have a clock."""
+        return self.travel_time is not None
+
+    def require_times(self, what: str) -> np.ndarray:
+        """Return `travel_time`, (8, rows, cols) uint32.
+
+        Raises
+        ------
+        InputError
+            If there is none; `what` names the thing that needs it, as in "--duration".
+        """
+        if self.travel_time is None:
+            raise InputError(
+                f"{what} needs travel times, and the network has none: it says how likely fire spreads, not how fast; "
+                "make it with firebreak network --clock (spread_network(..., clock=True)), or bring a raster of 16 "
+                "bands, 8 of probabilities and 8 of seconds"
+            )
+        return self.travel_time
 
     @cached_property
     def n_burnable(self) -> int:
@@ -131,14 +173,67 @@ class SpreadNetwork:
             values[d][neighbour(cut, d, self.boundary)] *= np.float32(residual)
         if residual == 0.0:
             values[:, cut] = 0.0
+        return self.derived(probability=values)
+
+    def derived(self, *, probability: np.ndarray | None = None, burnable: np.ndarray | None = None) -> SpreadNetwork:
+        """Return the network with other probabilities or less fuel; boundary, grid, times and heat are carried along.
+
+        Parameters
+        ----------
+        probability
+            (8, rows, cols), above 0 only where this network has an edge. Default: as here.
+        burnable
+            (rows, cols) bool. Default: as here.
+        """
         return SpreadNetwork(
-            values,
-            burnable=self.burnable,
+            self.probability if probability is None else probability,
+            burnable=self.burnable if burnable is None else burnable,
             boundary=self.boundary,
             crs=self.grid.crs,
             transform=self.grid.transform,
             provenance=self.provenance,
+            travel_time=self.travel_time,
+            heat=self.heat,
         )
+
+    def intensity(self) -> np.ndarray:
+        """Fire-line intensity of a fire that goes from the cell in each direction [kW/m].
+
+        Byram: heat per area times rate of spread. Loads of fuel are told per area of the map, so the rate is taken
+        along the map: cells have `cell_size` times 1 or sqrt(2) between them, whatever the slope.
+
+        Returns
+        -------
+        numpy.ndarray
+            (8, rows, cols) float32, 0 where there is no edge.
+
+        Raises
+        ------
+        InputError
+            If the network has no times or no heat.
+        """
+        times = self.require_times("fire-line intensity")
+        if self.heat is None:
+            raise InputError(
+                "fire-line intensity needs the heat that each cell releases, and the network has none; make it with a "
+                "spread model that knows it, or give heat=..."
+            )
+        self.grid.require_metres("fire-line intensities")
+        out = np.zeros(times.shape, np.float32)
+        for d in range(8):
+            length = np.float32(self.grid.cell_size * STEP_LENGTH[d])
+            np.divide(self.heat * length, times[d], out=out[d], where=times[d] != NEVER, casting="same_kind")
+        return out
+
+    def flame_length(self) -> np.ndarray:
+        """Flame length of a fire that goes from the cell in each direction [m], (8, rows, cols) float32.
+
+        Byram 1959: 0.0775 I^0.46 of the `intensity` I [kW/m]; 0 where there is no edge.
+        """
+        out: np.ndarray = self.intensity()
+        np.power(out, np.float32(0.46), out=out)
+        out *= np.float32(0.0775)
+        return out
 
     def mask(self, data: np.ndarray | xr.DataArray, what: str) -> np.ndarray:
         """Return `data` as a (rows, cols) bool array after checking that it lies on this grid.
@@ -196,12 +291,35 @@ class SpreadNetwork:
         return graph
 
     def to_raster(self) -> xr.DataArray:
-        """Return the probabilities as a DataArray (direction, y, x) with CRS, NaN where there is no fuel."""
+        """Return the probabilities as a DataArray (direction, y, x) with CRS, NaN where there is no fuel.
+
+        Times and heat, where there are any, are in `to_dataset`.
+        """
         from firebreak_gis.schema import annotate
 
         values = np.where(self.burnable, self.probability, np.float32(np.nan))
         data = annotate(self.grid.dataarray(values, "spread_probability"))
         return data.assign_attrs(boundary=self.boundary)
+
+    def to_dataset(self) -> xr.Dataset:
+        """Return all that the network holds, for `write_raster`: a file that `read_network` reads back.
+
+        Returns
+        -------
+        xarray.Dataset
+            `spread_probability` (direction, y, x) and, where known, `travel_time` (direction, y, x) [s, NaN where
+            there is no edge] and `heat` (y, x) [kJ/m2].
+        """
+        from firebreak_gis.schema import annotate
+
+        planes = {"spread_probability": self.to_raster()}
+        if self.travel_time is not None:
+            times = np.where(self.travel_time == NEVER, np.float32(np.nan), self.travel_time.astype(np.float32))
+            planes["travel_time"] = annotate(self.grid.dataarray(times, "travel_time"))
+        if self.heat is not None:
+            heat = np.where(self.burnable, self.heat, np.float32(np.nan))
+            planes["heat"] = annotate(self.grid.dataarray(heat, "heat"))
+        return planes["spread_probability"].to_dataset().assign(planes).assign_attrs(boundary=self.boundary)
 
     def _edges(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Source cell, target cell and direction of every edge with p > 0."""
@@ -272,3 +390,44 @@ def _has_edge(values: np.ndarray, boundary: Boundary) -> np.ndarray:
     for d in range(8):
         fuel |= neighbour((values[OPPOSITE[d]] > 0), d, boundary)
     return fuel
+
+
+def _laid_on(data: np.ndarray | xr.DataArray, shape: tuple[int, ...], grid: Grid, what: str) -> np.ndarray:
+    if hasattr(data, "dims") and grid.crs is not None:
+        grid.require(_grid_of(data), what)
+    values = np.asarray(data)
+    if values.shape != shape:
+        raise GridError(f"{what} has shape {values.shape}, expected {shape}")
+    return values
+
+
+def _whole_seconds(travel_time: np.ndarray | xr.DataArray, probability: np.ndarray, grid: Grid) -> np.ndarray:
+    """Travel times as the network keeps them, (8, rows, cols) uint32."""
+    given = _laid_on(travel_time, probability.shape, grid, "travel_time")
+    out = np.empty(given.shape, np.uint32)
+    for d in range(8):
+        times, edge = given[d], probability[d] > 0
+        known = np.isfinite(times) if times.dtype.kind == "f" else times != NEVER
+        lacking = int(np.count_nonzero(edge & ~known))
+        if lacking:
+            raise InputError(
+                f"travel_time has no time on {lacking} edges to {DIRECTIONS[d]} that fire can take (p > 0); give the "
+                "seconds there, or a probability of 0"
+            )
+        rounded = np.rint(times) if times.dtype.kind == "f" else times
+        if (edge & (rounded < 1)).any():
+            raise InputError(
+                f"travel_time goes down to {times[edge].min():g} s on edges to {DIRECTIONS[d]}, expected at least 1 s"
+            )
+        out[d] = NEVER
+        np.copyto(out[d], np.minimum(rounded, LONGEST), where=edge, casting="unsafe")
+    return out
+
+
+def _heat_of(heat: np.ndarray | xr.DataArray, burnable: np.ndarray, grid: Grid) -> np.ndarray:
+    values = _laid_on(heat, burnable.shape, grid, "heat").astype(np.float32)
+    inside = values[burnable]
+    if inside.size and not (inside.min() >= 0.0 and np.isfinite(inside).all()):  # also catches NaN
+        raise InputError("heat is negative, infinite or missing on cells that hold fuel, expected kJ/m2 of at least 0")
+    values[~burnable] = 0.0
+    return values

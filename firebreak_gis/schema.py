@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from firebreak_gis.errors import InputError
+from firebreak_gis.lattice import DIRECTIONS
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -61,6 +62,13 @@ class Variable:
     classes: Mapping[int, str] = field(default_factory=dict)
     colours: Mapping[int, str] = field(default_factory=dict)
 
+    @property
+    def bands(self) -> tuple[str, ...]:
+        """Descriptions of its bands in a file."""
+        if self.dims[0] != "direction":
+            return (self.text,)
+        return DIRECTIONS if self.name == "spread_probability" else tuple(f"{self.name} {d}" for d in DIRECTIONS)
+
 
 def _ramp(*colours: str) -> Mapping[int, str]:
     return MappingProxyType(dict(enumerate(colours)))
@@ -84,6 +92,17 @@ _VARIABLES = (
     Variable("spread_probability", ("direction", "y", "x"), "float32", "1",
              "probability that fire spreads from the cell to its neighbour in this direction", 0.0, 1.0,
              -9999.0, colours=_ramp("#ffffcc", "#fd8d3c", "#800026")),
+    Variable("travel_time", ("direction", "y", "x"), "float32", "s",
+             "time that fire takes from the cell to its neighbour in this direction", 0.0, 16777216.0,
+             -9999.0, colours=_ramp("#7f0000", "#fc8d59", "#fef0d9")),
+    Variable("heat", ("y", "x"), "float32", "kJ m-2", "heat released per area of the cell when it burns", 0.0, None,
+             -9999.0, colours=_ramp("#fff7bc", "#fe9929", "#662506")),
+    Variable("intensity", ("direction", "y", "x"), "float32", "kW m-1",
+             "fire-line intensity of a fire that goes from the cell in this direction", 0.0, None,
+             -9999.0, colours=_ramp("#fff7bc", "#fe9929", "#662506")),
+    Variable("flame_length", ("direction", "y", "x"), "float32", "m",
+             "flame length of a fire that goes from the cell in this direction", 0.0, None,
+             -9999.0, colours=_ramp("#fff7bc", "#fe9929", "#662506")),
     Variable("priority", ("y", "x"), "float64", "1", "cutting priority, higher is cut earlier", None, None,
              -9999.0, colours=_ramp("#fcfdbf", "#fe9f6d", "#de4968", "#8c2981", "#000004")),
     Variable("breaks", ("y", "x"), "uint8", "1", "fire break", 0, 1, 255,

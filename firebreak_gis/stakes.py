@@ -124,12 +124,4 @@ def with_barriers(network: SpreadNetwork, barriers: Plane) -> SpreadNetwork:
     SpreadNetwork
         Its `burnable`, and so N_v, lacks the barriers.
     """
-    burnable = network.burnable & ~network.mask(barriers, "barriers")
-    return SpreadNetwork(
-        network.probability,
-        burnable=burnable,
-        boundary=network.boundary,
-        crs=network.grid.crs,
-        transform=network.grid.transform,
-        provenance=network.provenance,
-    )
+    return network.derived(burnable=network.burnable & ~network.mask(barriers, "barriers"))

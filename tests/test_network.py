@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import pickle
 
 import networkx as nx
 import numpy as np
@@ -17,16 +18,20 @@ from firebreak_gis.lattice import (
     AZIMUTH,
     COL_STEP,
     DIRECTIONS,
+    LONGEST,
+    NEVER,
     OPPOSITE,
     ORTHOGONAL,
     ROW_STEP,
     STEP_LENGTH,
 )
 from firebreak_gis.network import SpreadNetwork, neighbour
+from firebreak_gis.placement.orientation import in_standard_orientation
 from firebreak_gis.rasters import write_raster
 from firebreak_gis.spread import spread_network
 from firebreak_gis.spread.artificial import forest
 from firebreak_gis.spread.raster import read_network
+from firebreak_gis.stakes import Stakes, with_barriers
 from tests.twins import centrality as twin
 
 UTM = {"crs": "EPSG:32635", "transform": Affine(20, 0, 586_440, 0, -20, 3_999_900)}
@@ -303,3 +308,148 @@ def test_planes_must_lie_on_the_grid():
     bare = random_network(8)
     with pytest.raises(GridError, match="dimensions"):
         bare.treated(xr.DataArray(plane, dims=("row", "col")))
+
+
+def timed_network(seed=0, shape=(7, 11), boundary="open", heat=True, **more):
+    """A random network with times of 1 s to 10 days."""
+    bare = random_network(seed, shape, boundary)
+    random = np.random.default_rng(seed + 100)
+    times = np.exp(random.uniform(0, np.log(864_000), (8, *shape))).round()
+    more |= {"heat": random.uniform(0, 90_000, shape)} if heat else {}
+    return SpreadNetwork(bare.probability, burnable=bare.burnable, boundary=boundary, travel_time=times, **more)
+
+
+def assert_same_times(one, other):
+    for name in ("probability", "burnable", "travel_time", "heat"):
+        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
+    assert (one.boundary, one.timed) == (other.boundary, other.timed)
+
+
+@pytest.mark.parametrize("boundary", ["open", "periodic"])
+def test_there_is_a_time_where_there_is_an_edge(boundary):
+    network = timed_network(boundary=boundary)
+    assert network.timed
+    assert network.travel_time.dtype == np.uint32
+    np.testing.assert_array_equal(network.travel_time != NEVER, network.probability > 0)
+    assert not network.travel_time.flags.writeable
+    assert not random_network().timed
+
+
+@pytest.mark.parametrize("boundary", ["open", "periodic"])
+@pytest.mark.parametrize("heat", [False, True])
+def test_what_derives_from_a_network_keeps_its_times(boundary, heat):
+    network = timed_network(boundary=boundary, heat=heat)
+    mask = np.random.default_rng(4).random(network.shape) < 0.3
+    leaky, cut, barred = network.treated(mask, residual=0.2), network.treated(mask), with_barriers(network, mask)
+    assert_same_times(pickle.loads(pickle.dumps(network)), network)
+    np.testing.assert_array_equal(leaky.travel_time, network.travel_time)
+    for less in (cut, barred):
+        kept = less.probability > 0
+        assert 0 < kept.sum() < (network.probability > 0).sum()
+        np.testing.assert_array_equal(less.travel_time, np.where(kept, network.travel_time, NEVER))
+    for made in (leaky, cut, barred):
+        assert (made.heat is None) == (not heat)
+    if heat:
+        np.testing.assert_array_equal(cut.heat, network.heat)
+        np.testing.assert_array_equal(barred.heat, np.where(mask, 0, network.heat))
+
+
+def test_times_turn_with_the_map():
+    network = timed_network()
+    seen = []
+    for symmetry in twin.SYMMETRIES.values():
+        turned = twin.turn_network(network, symmetry)
+        in_standard_orientation(turned, Stakes(turned), lambda n, *_: seen.append(n) or np.zeros(n.shape))
+    assert len(seen) == 8
+    for other in seen[1:]:
+        assert_same_times(seen[0], other)
+        np.testing.assert_array_equal(seen[0].intensity(), other.intensity())
+    seen.clear()
+    network = timed_network(**UTM)
+    in_standard_orientation(network, Stakes(network), lambda n, *_: seen.append(n) or np.zeros(n.shape))
+    assert seen[0].grid.cell_size == 20
+
+
+@pytest.mark.parametrize("boundary", ["open", "periodic"])
+@pytest.mark.parametrize("heat", [False, True])
+def test_a_network_with_times_reads_back_equal(tmp_path, boundary, heat):
+    network = timed_network(boundary=boundary, heat=heat, provenance={"left_out": "wind"}, **UTM)
+    path = write_raster(tmp_path / "network.tif", network.to_dataset(), provenance=network.provenance)
+    with rasterio.open(path) as source:
+        assert source.count == 16 + heat
+        assert source.descriptions[:8] == DIRECTIONS
+        assert source.descriptions[8:16] == tuple(f"travel_time {d}" for d in DIRECTIONS)
+        assert source.units[8:16] == ("s",) * 8
+    back = read_network(path)
+    assert_same_times(back, network)
+    assert back.provenance["left_out"] == "wind"
+    assert back.grid == network.grid
+
+
+def test_a_file_without_times_is_that_of_before(tmp_path):
+    network = random_network(**UTM)
+    one = write_raster(tmp_path / "one.tif", network.to_dataset())
+    other = write_raster(tmp_path / "other.tif", network.to_raster())
+    assert one.read_bytes() == other.read_bytes()
+    assert not read_network(one).timed
+
+
+@pytest.mark.parametrize("described", [False, True])
+@pytest.mark.parametrize("bands", [16, 17])
+def test_bands_of_others_are_told_by_name_or_order(tmp_path, described, bands):
+    network = timed_network(heat=bands == 17, **UTM)
+    planes = [*network.probability, *np.where(network.travel_time == NEVER, np.nan, network.travel_time)]
+    planes += [network.heat] if bands == 17 else []
+    names = [*DIRECTIONS, *(f"travel_time {d}" for d in DIRECTIONS), "heat"][:bands]
+    if described:  # the order is then free
+        planes, names = planes[8:] + planes[:8], names[8:] + names[:8]
+    path = tmp_path / "others.tif"
+    profile = {"driver": "GTiff", "dtype": "float32", "height": 7, "width": 11, "nodata": np.nan, **UTM}
+    with rasterio.open(path, "w", count=bands, **profile) as target:
+        target.write(np.array([np.where(network.burnable, plane, np.nan) for plane in planes], np.float32))
+        if described:
+            target.descriptions = names
+    assert_same_times(read_network(path), network)
+    with rasterio.open(tmp_path / "nine.tif", "w", count=9, **profile) as target:
+        target.write(np.zeros((9, 7, 11), np.float32))
+    with pytest.raises(InputError, match="9 bands"):
+        read_network(tmp_path / "nine.tif")
+
+
+def test_the_longest_time_is_exact_in_files(tmp_path):
+    times = np.full((8, 3, 4), LONGEST - 1, np.uint32)
+    times[:4] = LONGEST + 5
+    network = SpreadNetwork(np.full((8, 3, 4), 0.5), travel_time=times, **UTM)
+    inner = network.travel_time[:, 1, 1]
+    assert inner[:4].tolist() == [LONGEST] * 4
+    assert inner[4:].tolist() == [LONGEST - 1] * 4
+    assert_same_times(read_network(write_raster(tmp_path / "long.tif", network.to_dataset())), network)
+
+
+def test_times_that_cannot_be_are_refused():
+    probability = np.full((8, 4, 5), 0.5)
+    good = np.full((8, 4, 5), 30.0)
+    hole, zero = good.copy(), good.copy()
+    hole[2, 1, 1], zero[2, 1, 1] = np.nan, 0.4
+    for times, match in ((hole, "no time on 1 edges to E"), (zero, "at least 1 s"), (good[:, 1:], "shape")):
+        with pytest.raises(InputError, match=match):
+            SpreadNetwork(probability, travel_time=times)
+    with pytest.raises(ParameterError, match="without travel_time"):
+        SpreadNetwork(probability, heat=np.ones((4, 5)))
+    with pytest.raises(InputError, match="heat is negative"):
+        SpreadNetwork(probability, travel_time=good, heat=np.full((4, 5), -1.0))
+    bare = SpreadNetwork(probability)
+    with pytest.raises(InputError, match=r"--duration needs travel times.*--clock"):
+        bare.require_times("--duration")
+    with pytest.raises(InputError, match="heat"):
+        SpreadNetwork(probability, travel_time=good).intensity()
+
+
+def test_intensity_is_heat_times_rate_of_spread():
+    """Conifers of 1 and 4 kg/m2 that burn at 0.1 m/s: by hand."""
+    seconds = np.array([200.0 if d % 2 == 0 else 200.0 * 2**0.5 for d in range(8)])
+    times = np.broadcast_to(seconds[:, None, None], (8, 3, 3))
+    network = SpreadNetwork(np.full((8, 3, 3), 0.5), travel_time=times, heat=np.full((3, 3), 40_000.0), **UTM)
+    assert network.intensity()[:, 1, 1] == pytest.approx(4_000, rel=2e-3)
+    assert network.flame_length()[:, 1, 1] == pytest.approx(0.0775 * 4_000**0.46, rel=1e-3)
+    assert network.intensity()[0, 0, 1] == 0

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
+from affine import Affine
 
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.network import SpreadNetwork
@@ -45,10 +46,15 @@ def in_standard_orientation(
     if symmetry == (False, 0):
         return method(network, stakes, _turn(symmetry))
     turn = _turn(symmetry)
+    directions = _directions(symmetry)
+    times, heat, side = network.travel_time, network.heat, abs(network.grid.transform.a)
     turned = SpreadNetwork(
-        np.stack([turn(network.probability[d]) for d in _directions(symmetry)]),
+        np.stack([turn(network.probability[d]) for d in directions]),
         burnable=turn(network.burnable),
         boundary=network.boundary,
+        transform=Affine.scale(side, -side),
+        travel_time=None if times is None else np.stack([turn(times[d]) for d in directions]),
+        heat=None if heat is None else turn(heat),
     )
     answer = method(turned, _turned_setting(turned, stakes, turn), turn)
     mirror, quarters = symmetry
@@ -96,4 +102,6 @@ def _digest(network: SpreadNetwork, stakes: Stakes, symmetry: tuple[bool, int]) 
         seen.update(turn(plane).tobytes())
     for d in _directions(symmetry):
         seen.update(turn(network.probability[d]).tobytes())
+        if network.travel_time is not None:
+            seen.update(turn(network.travel_time[d]).tobytes())
     return seen.digest()

@@ -155,7 +155,12 @@ def read_raster(
 
 
 def read_variable(
-    path: str | os.PathLike[str], name: str, *, unreferenced: bool = False, remote: bool = False
+    path: str | os.PathLike[str],
+    name: str,
+    *,
+    bands: Sequence[int] | None = None,
+    unreferenced: bool = False,
+    remote: bool = False,
 ) -> xr.DataArray:
     """Read a raster as a variable of the schema, own output or brought along.
 
@@ -165,9 +170,11 @@ def read_variable(
     ----------
     path
         Raster with the right number of bands: 8 for variables with a direction, ordered
-        N NE E SE S SW W NW, 1 otherwise.
+        N NE E SE S SW W NW, 1 otherwise. Or one that holds several variables and says so (`variable_bands`).
     name
         Name in `schema.VARIABLES`, for example "spread_probability".
+    bands
+        Numbers of its bands, from 1, for a raster of several variables that does not say so.
     unreferenced
         Accept a raster without CRS, as written for an artificial forest.
     remote
@@ -184,8 +191,8 @@ def read_variable(
         If bands, order of directions, CRS, values or range do not fit the variable.
     """
     variable = VARIABLES[name]
-    bands = _require_bands(path, variable, remote)
-    headers = [read_header(path, band=band, remote=remote) for band in range(1, bands + 1)]
+    chosen = _require_bands(path, variable, bands, remote)
+    headers = [read_header(path, band=band, remote=remote) for band in chosen]
     if headers[0].crs is not None or not unreferenced:
         require_georeferenced(headers[0])
     grid, planes = None, []
@@ -283,24 +290,53 @@ def _north_up(header: Header, values: np.ndarray, valid: np.ndarray) -> tuple[Gr
     return grid, np.ascontiguousarray(values), np.ascontiguousarray(valid)
 
 
-def _require_bands(path: str | os.PathLike[str], variable: Variable, remote: bool) -> int:
+def variable_bands(path: str | os.PathLike[str], *, remote: bool = False) -> dict[str, list[int]]:
+    """Return which bands of a raster hold which variable of the schema, as far as its bands say so.
+
+    They do in files of `write_raster`; in others by the descriptions that it writes ("N" for the probability to the
+    north, "travel_time N", "heat").
+    """
+    found: dict[str, list[int]] = {}
+    with open_raster(path, remote=remote) as source:
+        for band, text in enumerate(source.descriptions, start=1):
+            name = source.tags(band).get("variable") or _described(text)
+            if name in VARIABLES:
+                found.setdefault(name, []).append(band)
+    return found
+
+
+def _described(text: str | None) -> str:
+    words = (text or "").replace(":", " ").split()
+    if len(words) == 1:
+        return "spread_probability" if words[0].upper() in DIRECTIONS else words[0].lower()
+    return words[0].lower() if len(words) == 2 and words[1].upper() in DIRECTIONS else ""
+
+
+def _require_bands(
+    path: str | os.PathLike[str], variable: Variable, bands: Sequence[int] | None, remote: bool
+) -> Sequence[int]:
     name = os.fspath(path)
-    expected = len(DIRECTIONS) if variable.dims[0] == "direction" else 1
+    expected = len(variable.bands)
     if variable.dims[-2:] != ("y", "x"):
         raise InputError(f"{variable.name} is a table, not a raster; it is written as CSV")
     with open_raster(path, remote=remote) as source:
-        if source.count != expected:
+        count = source.count
+        if bands is None and count > expected:
+            bands = variable_bands(path, remote=remote).get(variable.name)
+        bands = bands or range(1, count + 1)
+        if len(bands) != expected:
             more = f" in the order {' '.join(DIRECTIONS)}" if expected > 1 else ""
             raise InputError(
-                f"{name} has {source.count} bands, expected {expected}{more} for {variable.name} ({variable.text})"
+                f"{name} has {len(bands)} bands, expected {expected}{more} for {variable.name} ({variable.text})"
             )
-        told = [str(text).split(":")[0].strip().upper() if text else "" for text in source.descriptions]
+        texts = [str(source.descriptions[band - 1] or "") for band in bands]
+        told = [text.split(":")[0].strip().upper().split(" ")[-1] for text in texts]
     if expected > 1 and set(told) == set(DIRECTIONS) and tuple(told) != DIRECTIONS:
         raise InputError(
             f"{name} has its bands in the order {' '.join(told)}, expected {' '.join(DIRECTIONS)}; "
             "reorder them, e.g. with gdal_translate -b"
         )
-    return expected
+    return bands
 
 
 def _as_variable(values: np.ndarray, valid: np.ndarray, variable: Variable, path: str) -> np.ndarray:

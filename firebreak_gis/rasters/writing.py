@@ -6,7 +6,7 @@ import contextlib
 import json
 import os
 import warnings
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -33,14 +33,14 @@ SIDECARS = (".aux.xml", ".ovr", ".msk")
 
 def write_raster(
     path: str | os.PathLike[str],
-    data: xr.DataArray,
+    data: xr.DataArray | xr.Dataset,
     *,
     overwrite: bool = False,
     provenance: Mapping[str, Any] | None = None,
     creation_options: Mapping[str, Any] | None = None,
     forbid: Iterable[str | os.PathLike[str]] = (),
 ) -> Path:
-    """Write a variable of the schema as a cloud-optimised GeoTIFF, and its QGIS style beside it.
+    """Write variables of the schema as a cloud-optimised GeoTIFF, and the QGIS style of the first beside it.
 
     "No data", units, texts and colours come from the schema. No date is stored: equal data give
     equal bytes. The file is read back and compared before it takes its place.
@@ -51,7 +51,8 @@ def write_raster(
         Target, usually named .tif.
     data
         Named as in `schema.VARIABLES`, with its dims, on a `Grid`. NaN is written as "no data", and so
-        is -inf in `priority`.
+        is -inf in `priority`. The variables of a dataset become the bands of one file, one after another;
+        they must have the type and the "no data" value in common.
     overwrite
         Whether an existing file may be replaced.
     provenance
@@ -80,14 +81,23 @@ def write_raster(
     -----
     Memory at the peak: twice the values, and the compressed file.
     """
-    variable = _variable_of(data)
+    layers: list[Any] = [data] if hasattr(data, "dtype") else list(data.data_vars.values())
+    variables = [_variable_of(layer) for layer in layers]
+    variable = variables[0]
+    for other in variables[1:]:
+        if (disk_dtype(other), other.nodata) != (disk_dtype(variable), variable.nodata):
+            raise InputError(
+                f"{variable.name} and {other.name} cannot be bands of one file: {disk_dtype(variable)} with no data "
+                f"{variable.nodata} and {disk_dtype(other)} with {other.nodata}; write one file each"
+            )
     grid = Grid.of(data)
-    values = _stored_values(data.to_numpy(), variable)
-    planes = values if values.ndim == 3 else values[np.newaxis]
+    stored = [_stored_values(layer.to_numpy(), each) for layer, each in zip(layers, variables, strict=True)]
+    parts = [values if values.ndim == 3 else values[np.newaxis] for values in stored]
+    planes = parts[0] if len(parts) == 1 else np.concatenate(parts)
     tags = {**(provenance or {}), **{key: data.attrs[key] for key in ("boundary",) if key in data.attrs}}
     options = {"blocksize": 256, **_lower(creation_options or {})}
     place = Path(path)
-    with together(place.parent), _encoded(planes, grid, variable, tags, options) as content:
+    with together(place.parent), _encoded(planes, grid, variables, tags, options) as content:
         write_bytes(
             path,
             content,
@@ -96,7 +106,7 @@ def write_raster(
             verify=lambda part: _verify(part, planes, grid, variable),
             remove=[place.with_name(place.name + suffix) for suffix in SIDECARS],
         )
-        _write_style(place, values, variable, overwrite)
+        _write_style(place, stored[0], variable, overwrite)
     return place
 
 
@@ -167,7 +177,7 @@ def _lower(options: Mapping[str, Any]) -> dict[str, Any]:
 def _encoded(
     planes: np.ndarray,
     grid: Grid,
-    variable: Variable,
+    variables: Sequence[Variable],
     provenance: Mapping[str, Any],
     options: Mapping[str, Any],
 ) -> Iterator[memoryview]:
@@ -176,6 +186,7 @@ def _encoded(
     from rasterio.errors import NotGeoreferencedWarning
     from rasterio.io import MemoryFile
 
+    variable = variables[0]
     classes = bool(variable.classes) or variable.dtype == "bool"
     profile: dict[str, Any] = {
         "driver": "COG",
@@ -202,21 +213,22 @@ def _encoded(
             try:
                 with memory.open(**profile) as target:
                     target.write(planes)
-                    _describe(target, variable, provenance)
+                    _describe(target, variables, provenance)
             except Exception as error:  # GDAL has private classes for what it does not like
                 raise OutputError(f"cannot write the raster {variable.name}: {error}; check --co") from error
         yield memoryview(memory.getbuffer())
 
 
-def _describe(target: Any, variable: Variable, provenance: Mapping[str, Any]) -> None:
+def _describe(target: Any, variables: Sequence[Variable], provenance: Mapping[str, Any]) -> None:
     tags = {TAG + str(key).upper(): _text(value) for key, value in sorted(provenance.items())}
     target.update_tags(AREA_OR_POINT="Area", **tags)
-    for band in range(1, target.count + 1):
-        direction = DIRECTIONS[band - 1] if variable.dims[0] == "direction" else None
-        target.set_band_description(band, direction or variable.text)
+    bands = [(variable, text) for variable in variables for text in variable.bands]
+    for band, (variable, text) in enumerate(bands, start=1):
+        target.set_band_description(band, text)
         target.set_band_unit(band, variable.units)
         meaning = {f"CLASS_{code}": label for code, label in variable.classes.items()}
         target.update_tags(band, variable=variable.name, long_name=variable.text, **meaning)
+    variable = variables[0]
     if variable.classes and variable.colours:
         target.write_colormap(1, {code: rgba(colour) for code, colour in variable.colours.items()})
 

@@ -5,11 +5,14 @@ A model file holds a frozen dataclass `Params` and
     probability(landscape, params) -> (8, rows, cols) float32, from the cell to its neighbour
 
 and needs no registration: its file name is its name. `spread_network` below is the only way in.
+
+A model that knows how fast fire goes returns (probability, travel_time) or (probability, travel_time, heat), or the
+`Spread` that they are: then fires can have a clock.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from firebreak_gis.errors import InputError
 from firebreak_gis.grid import Grid
@@ -17,7 +20,29 @@ from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.plugins import build_params, load
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray as xr
+
+
+class Spread(NamedTuple):
+    """What a spread model knows.
+
+    Parameters
+    ----------
+    probability
+        (8, rows, cols) in [0, 1], from the cell to its neighbour in direction d.
+    travel_time
+        (8, rows, cols) seconds along each edge, floats or whole numbers; None if the model has no clock.
+    heat
+        (rows, cols) heat that a cell releases per area of the map [kJ/m2]; None if not known.
+    left_out
+        What the probabilities leave out because the times have it, in words, such as "wind"; "" for nothing.
+    """
+
+    probability: np.ndarray
+    travel_time: np.ndarray | None = None
+    heat: np.ndarray | None = None
+    left_out: str = ""
 
 
 def spread_network(landscape: xr.Dataset, *, model: str = "alexandridis", **params: Any) -> SpreadNetwork:
@@ -31,12 +56,14 @@ def spread_network(landscape: xr.Dataset, *, model: str = "alexandridis", **para
     model
         Name of a spread model (`firebreak methods` lists them).
     **params
-        Parameters of the model, for example ``wind_speed=8, wind_from_direction=315``.
+        Parameters of the model, for example ``wind_speed=8, wind_from_direction=315``; with ``clock=True``
+        `alexandridis` also gives travel times and heat.
 
     Returns
     -------
     SpreadNetwork
-        On the grid of the landscape.
+        On the grid of the landscape, with times and heat if the model returns them. Its `provenance` has
+        `left_out` (see `Spread`) where fires without a clock would miss something.
 
     Raises
     ------
@@ -54,10 +81,15 @@ def spread_network(landscape: xr.Dataset, *, model: str = "alexandridis", **para
     if "burnable" not in landscape:
         raise InputError("the landscape has no variable 'burnable'; make it with read_landscape")
     grid = Grid.of(landscape["burnable"])
+    result = module.probability(landscape, values)
+    spread = Spread(*result) if isinstance(result, tuple) else Spread(result)
     return SpreadNetwork(
-        module.probability(landscape, values),
+        spread.probability,
         burnable=landscape["burnable"].to_numpy(),
         boundary=landscape.attrs.get("boundary", "open"),
         crs=grid.crs,
         transform=grid.transform,
+        provenance={"left_out": spread.left_out} if spread.left_out else None,
+        travel_time=spread.travel_time,
+        heat=spread.heat,
     )

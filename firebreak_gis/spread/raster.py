@@ -1,7 +1,10 @@
-"""Probabilities from an eight-band raster: bring your own fire model.
+"""Probabilities, and perhaps travel times, from a raster: bring your own fire model.
 
 Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order N
-NE E SE S SW W NW. Cells that are nodata in all bands hold no fuel. Cost: one read.
+NE E SE S SW W NW. Cells that are nodata in all eight hold no fuel. Eight more bands in the same order may hold the
+seconds that fire takes there (nodata where it cannot go), and a 17th the heat that a cell releases [kJ/m2]: then fires
+can have a clock. Bands are told by their descriptions ("N", "travel_time N", "heat"), or else by this order.
+Cost: one read.
 """
 
 from __future__ import annotations
@@ -11,11 +14,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.errors import CRSError, ParameterError
+from firebreak_gis.errors import CRSError, InputError, ParameterError
 from firebreak_gis.grid import Grid
+from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.plugins import parameter
-from firebreak_gis.rasters import read_variable
+from firebreak_gis.rasters import open_raster, read_variable, variable_bands
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -27,45 +31,76 @@ if TYPE_CHECKING:
 class Params:
     """Where the probabilities stand."""
 
-    path: str = parameter("", text="Eight-band raster of spread probabilities on the grid of the landscape", path=True)
+    path: str = parameter(
+        "", text="Raster of 8 bands of spread probabilities, and perhaps 8 of travel times, on the grid", path=True
+    )
 
 
 def read_network(path: str | Path) -> SpreadNetwork:
-    """Read a network from an eight-band raster, as `firebreak network` writes it.
+    """Read a network from a raster of 8, 16 or 17 bands, as `firebreak network` writes it.
 
     Parameters
     ----------
     path
-        Raster with bands N NE E SE S SW W NW, values in [0, 1]. Cells that are nodata in every band hold no
+        Raster with bands N NE E SE S SW W NW, values in [0, 1]. Cells that are nodata in all of them hold no
         fuel. If the raster is not of this package and has no nodata cell, cells with no edge in or out hold
-        none.
+        none. Eight more bands are travel times [s], a 17th is heat [kJ/m2]; without them the network has no times.
 
     Raises
     ------
     InputError
-        If the file cannot be read, has other than eight bands or values outside [0, 1]; `CRSError` if it has no
+        If the file cannot be read, has other bands or values outside [0, 1]; `CRSError` if it has no
         CRS, unless this package wrote it (an artificial forest).
     """
-    data = read_variable(path, "spread_probability", unreferenced=True)
+    planes = _read(path, unreferenced=True)
+    data = planes["spread_probability"]
     values, burnable = _split(data)
-    boundary = data.attrs.get("provenance", {}).get("boundary")
+    written = data.attrs.get("provenance", {})
+    boundary = written.get("boundary")
     if boundary is None and Grid.of(data).crs is None:
         raise CRSError(
             f"{path} has no coordinate reference system; assign the one it was made in, e.g. "
             "gdal_edit.py -a_srs EPSG:32635 FILE"
         )
-    if boundary is None and burnable.all():
-        return SpreadNetwork(data.copy(data=values))
-    return SpreadNetwork(data.copy(data=values), burnable=burnable, boundary=boundary or "open")
+    return SpreadNetwork(
+        data.copy(data=values),
+        burnable=None if boundary is None and burnable.all() else burnable,
+        boundary=boundary or "open",
+        provenance={key: written[key] for key in ("left_out",) if key in written},
+        travel_time=planes.get("travel_time"),
+        heat=planes.get("heat"),
+    )
 
 
-def probability(landscape: xr.Dataset, params: Params) -> np.ndarray:
-    """Return (8, rows, cols) float32 read from `params.path`; it must lie on the grid of the landscape."""
+def probability(landscape: xr.Dataset, params: Params) -> tuple[np.ndarray | None, ...]:
+    """Return probability, travel time and heat read from `params.path`; it must lie on the grid of the landscape."""
     if not params.path:
-        raise ParameterError("the spread model 'raster' needs path=..., an eight-band raster of probabilities")
-    data = read_variable(params.path, "spread_probability")
+        raise ParameterError("the spread model 'raster' needs path=..., a raster of 8 bands of probabilities")
+    planes = _read(params.path)
+    data = planes["spread_probability"]
     Grid.of(landscape["burnable"]).require(Grid.of(data), params.path)
-    return _split(data)[0]
+    others = (planes[name].to_numpy() if name in planes else None for name in _BANDS if name != "spread_probability")
+    return _split(data)[0], *others
+
+
+#: Bands of each variable in a raster that does not say what its bands are.
+_BANDS = {"spread_probability": range(1, 9), "travel_time": range(9, 17), "heat": range(17, 18)}
+
+
+def _read(path: str | Path, *, unreferenced: bool = False) -> dict[str, xr.DataArray]:
+    """Read the variables of a network that the raster holds."""
+    told = variable_bands(path)
+    if not told.keys() & {"travel_time", "heat"}:
+        with open_raster(path) as source:
+            count = source.count
+        told = {name: list(bands) for name, bands in _BANDS.items() if count > len(DIRECTIONS) and bands[-1] <= count}
+        if count > len(DIRECTIONS) and count not in (16, 17):
+            raise InputError(
+                f"{path} has {count} bands, expected 8 of probabilities, perhaps 8 more of travel times, perhaps one "
+                "more of heat"
+            )
+    names = ["spread_probability", *(name for name in ("travel_time", "heat") if name in told)]
+    return {name: read_variable(path, name, bands=told.get(name), unreferenced=unreferenced) for name in names}
 
 
 def _split(data: xr.DataArray) -> tuple[np.ndarray, np.ndarray]:

@@ -36,11 +36,22 @@ def turn_direction(direction: int, symmetry: tuple[bool, int]) -> int:
 
 
 def turn_network(network: SpreadNetwork, symmetry: tuple[bool, int]) -> SpreadNetwork:
-    """Return the network of the turned landscape."""
-    probability = np.empty((8, *turn(network.burnable, symmetry).shape), np.float32)
-    for d in range(8):
-        probability[turn_direction(d, symmetry)] = turn(network.probability[d], symmetry)
-    return SpreadNetwork(probability, burnable=turn(network.burnable, symmetry), boundary=network.boundary)
+    """Return the network of the turned landscape, on no particular ground."""
+
+    def turned(planes: np.ndarray) -> np.ndarray:
+        out = np.empty((8, *turn(network.burnable, symmetry).shape), planes.dtype)
+        for d in range(8):
+            out[turn_direction(d, symmetry)] = turn(planes[d], symmetry)
+        return out
+
+    times, heat = network.travel_time, network.heat
+    return SpreadNetwork(
+        turned(network.probability),
+        burnable=turn(network.burnable, symmetry),
+        boundary=network.boundary,
+        travel_time=None if times is None else turned(times),
+        heat=None if heat is None else turn(heat, symmetry),
+    )
 
 
 def adjacency(network: SpreadNetwork) -> np.ndarray:

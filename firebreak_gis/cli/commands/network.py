@@ -41,7 +41,7 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
     tags = provenance({k: given[k] for k in ("model", "model_params", "wind_speed", "wind_from", "moisture")})
     write_raster(
         output,
-        network.to_raster(),
+        network.to_dataset(),
         overwrite=given["overwrite"],
         provenance=tags,
         forbid=inputs,
