@@ -29,6 +29,16 @@ KINDS: Mapping[str, tuple[str, str]] = {
     "spread": ("firebreak_gis.spread", "probability"),
 }
 
+#: What a plan knows of itself and tells a method whose parameter declares it (`parameter(..., told=...)`).
+FACTS: Mapping[str, str] = {
+    "cost_share": "share of the cost of all fuel that the budget is; cells and hectares at the mean cost",
+    "cell_share": "share of the cells with fuel that the budget is; money at the mean cost",
+    "residual": "share of its spread probability that a treated cell keeps",
+    "least_width": "least width of the breaks, cells; the default of the parameter counts where it is larger",
+    "elevation": "terrain elevation, (rows, cols) in metres",
+    "roads": "(rows, cols), above 0 on a road or another barrier",
+}
+
 _USUAL_MEMORY = (200, 0)
 
 
@@ -43,6 +53,7 @@ def parameter(
     choices: tuple[str, ...] | None = None,
     raster: bool = False,
     path: bool = False,
+    told: str | None = None,
 ) -> Any:
     """Declare a field of a plug-in's `Params`.
 
@@ -64,7 +75,11 @@ def parameter(
         Whether a raster on the grid of the network may stand in place of the number.
     path
         Whether the value names a file.
+    told
+        Which of `FACTS` a plan tells the parameter where it is not given.
     """
+    if told is not None and told not in FACTS:
+        raise ParameterError(f"a parameter asks to be told {told!r}; a plan knows {', '.join(FACTS)}")
     metadata = {
         "text": text,
         "units": units,
@@ -74,6 +89,7 @@ def parameter(
         "choices": choices,
         "raster": raster,
         "path": path,
+        "told": told,
     }
     return dataclasses.field(default=default, metadata=metadata)
 
@@ -141,6 +157,69 @@ def build_params(module: ModuleType, values: Mapping[str, Any]) -> Any:
     if problems:
         raise ParameterError("; ".join(problems))
     return module.Params(**converted)
+
+
+def told(module: ModuleType, facts: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
+    """Parameters that a plan tells a plug-in which asks for them (`told`), but for those that are given.
+
+    Parameters
+    ----------
+    module
+        The plug-in.
+    facts
+        By the names of `FACTS`; None is not told. Numbers are kept above the minimum of the parameter.
+    given
+        Parameters that are given, which win.
+
+    Raises
+    ------
+    ParameterError
+        As `build_params`; or if the least width is given and less than that of the plan.
+    """
+    params = build_params(module, given)
+    result: dict[str, Any] = {}
+    for field in dataclasses.fields(module.Params):
+        fact, low = field.metadata["told"], field.metadata["minimum"]
+        value = facts.get(fact) if fact else None
+        if value is None:
+            continue
+        if fact == "least_width":
+            if field.name in given:
+                require_width(module.__name__, getattr(params, field.name), value)
+            value = max(value, field.default)
+        if field.name not in given:
+            result[field.name] = value if low is None else max(value, low)
+    return result
+
+
+def require_width(module: str, asked: int, least: int) -> None:
+    """Refuse a width in cells that is less than the least of the plan.
+
+    Raises
+    ------
+    ParameterError
+        Naming both.
+    """
+    if 0 < asked < least:
+        name = module.rpartition(".")[2]
+        raise ParameterError(
+            f"{name} is asked for a width of {asked} cells, but the breaks must be at least {least} cells wide; "
+            "leave one of the two out"
+        )
+
+
+def asks_for(module: ModuleType, fact: str) -> bool:
+    """Whether a parameter of the plug-in asks to be told one of `FACTS`."""
+    return any(field.metadata["told"] == fact for field in dataclasses.fields(module.Params))
+
+
+def effective(module: ModuleType, params: Any) -> Any:
+    """`Params` in which those that make no difference have their defaults; equal ones give equal results.
+
+    A module tells it by a function `effective(params)`; without one every parameter counts.
+    """
+    function = getattr(module, "effective", None)
+    return function(params) if function else params
 
 
 def describe(kind: str, name: str) -> dict[str, Any]:

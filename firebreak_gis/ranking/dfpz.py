@@ -32,11 +32,15 @@ MEMORY = (230, 0)
 class Params:
     """Parameters of the zones along ridges and roads."""
 
-    width: int = parameter(5, text="width of the bands", units="cells", minimum=1, maximum=1000)
+    width: int = parameter(5, text="width of the bands", units="cells", minimum=1, maximum=1000, told="least_width")
     elevation: float | None = parameter(
-        None, text="terrain elevation raster; default: guessed from the network", units="m", raster=True
+        None,
+        text="terrain elevation raster; default: guessed from the network",
+        units="m",
+        raster=True,
+        told="elevation",
     )
-    roads: float | None = parameter(None, text="raster of roads, above 0 on a road", raster=True)
+    roads: float | None = parameter(None, text="raster of roads, above 0 on a road", raster=True, told="roads")
 
 
 def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, progress: Progress) -> np.ndarray:

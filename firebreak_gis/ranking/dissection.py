@@ -18,12 +18,12 @@ warm starts, Hamann, Strasser 2018, doi 10.1145/3173045; order of building, Horn
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.plugins import parameter
+from firebreak_gis.plugins import parameter, require_width
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
@@ -52,17 +52,36 @@ class Params:
         maximum=100,
     )
     least_width: int = parameter(
-        1, text="width of the walls at least, where it is not given", units="cells", minimum=1, maximum=100
+        1,
+        text="width of the walls at least",
+        units="cells",
+        minimum=1,
+        maximum=100,
+        told="least_width",
     )
     residual: float = parameter(
         0.0,
         text="spread probability that a treated cell keeps, for which the width is chosen",
         minimum=0.0,
         maximum=1.0,
+        told="residual",
     )
-    budget: float = parameter(
-        0.05, text="share of the cost of all fuel for which the width is chosen", minimum=0.0, maximum=1.0
+    cost_share: float = parameter(
+        0.05,
+        text="share of the cost of all fuel for which the width is chosen",
+        minimum=0.0,
+        maximum=1.0,
+        told="cost_share",
     )
+
+
+def effective(params: Params) -> Params:
+    """Without a choice of the width the share of the cost makes no difference."""
+    return params if _chooses(params) else replace(params, cost_share=Params().cost_share)
+
+
+def _chooses(params: Params) -> bool:
+    return params.width == 0 and params.residual > 0.0
 
 
 def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, progress: Progress) -> np.ndarray:
@@ -70,15 +89,17 @@ def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, p
     from firebreak_gis.placement.orientation import in_standard_orientation
     from firebreak_gis.placement.widening import best_width
 
+    require_width(__name__, params.width, params.least_width)
+
     def standard(network: SpreadNetwork, stakes: Stakes, turn: object) -> np.ndarray:
-        if params.width > 0 or params.residual == 0.0 or not network.burnable.any():
+        if not _chooses(params) or not network.burnable.any():
             return _walls_first(network, params, stakes, params.width or params.least_width, progress)
         return best_width(
             network,
             stakes,
             lambda width, step: _walls_first(network, params, stakes, width, step),
             narrowest=params.least_width,
-            cost_share=params.budget,
+            cost_share=params.cost_share,
             residual=params.residual,
             seed=seed,
             progress=progress,

@@ -37,13 +37,21 @@ class Params:
         minimum=0.0,
         maximum=360.0,
     )
-    width: int = parameter(4, text="patch along the heading", units="cells", minimum=1, maximum=1000)
+    width: int = parameter(
+        4, text="patch along the heading", units="cells", minimum=1, maximum=1000, told="least_width"
+    )
     length: int = parameter(12, text="patch across the heading", units="cells", minimum=1, maximum=10_000)
     overlap: int = parameter(4, text="overlap of patches of neighbouring rows", units="cells", minimum=0)
     gap: float | None = parameter(
         None, text="between rows along the heading; default: what the budget affords", units="cells", minimum=0.0
     )
-    budget: float = parameter(0.05, text="share of the land that the patches may take", minimum=1e-6, maximum=1.0)
+    cell_share: float = parameter(
+        0.05,
+        text="share of the cells with fuel that the patches may take",
+        minimum=1e-6,
+        maximum=1.0,
+        told="cell_share",
+    )
 
 
 def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, progress: Progress) -> np.ndarray:
@@ -67,7 +75,7 @@ def _patches_first(network: SpreadNetwork, params: Params, stakes: Stakes) -> np
     gap = params.gap
     if gap is None:
         share = params.width * params.length / (2.0 * (params.length - params.overlap))
-        gap = max(share / params.budget - params.width, 0.0)
+        gap = max(share / params.cell_share - params.width, 0.0)
     patch = staggered_patches(
         network.shape, heading, width=params.width, length=params.length, gap=gap, overlap=params.overlap
     )

@@ -36,12 +36,16 @@ class Params:
         minimum=0.0,
         maximum=360.0,
     )
-    width: int = parameter(1, text="width of the bands", units="cells", minimum=1, maximum=1000)
+    width: int = parameter(1, text="width of the bands", units="cells", minimum=1, maximum=1000, told="least_width")
     spacing: float | None = parameter(
         None, text="from band to the next; default: the densest that the budget affords", units="cells", minimum=1.0
     )
-    budget: float = parameter(
-        0.05, text="share of the cost of all fuel that the pattern may take", minimum=1e-6, maximum=1.0
+    cost_share: float = parameter(
+        0.05,
+        text="share of the cost of all fuel that the pattern may take",
+        minimum=1e-6,
+        maximum=1.0,
+        told="cost_share",
     )
 
 
@@ -60,7 +64,7 @@ def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, p
             width=params.width,
             spacing=params.spacing,
             families=1,
-            cost_share=params.budget,
+            cost_share=params.cost_share,
             progress=progress,
         )
 

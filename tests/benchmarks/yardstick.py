@@ -21,6 +21,7 @@ from firebreak_gis import plugins
 from firebreak_gis.breaks import Budget
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.fires import Fires, design_fires, losses
+from firebreak_gis.planning.design import design
 from firebreak_gis.planning.refinement import refine
 from firebreak_gis.progress import silent
 from firebreak_gis.ranking import rank
@@ -28,7 +29,7 @@ from firebreak_gis.stakes import Stakes
 from tests.twins.optimum import Optimum, optimum
 
 SIDE = 20
-#: Parameters that fit the small windows; patterns are also told the budget.
+#: Parameters that fit the small windows.
 OPTIONS = {"splat": {"width": 2, "length": 5, "overlap": 1}, "dfpz": {"width": 1}}
 SEARCHED = "dissection + local search"
 
@@ -96,13 +97,11 @@ def plans(problem: Window, *, moves: int = 800) -> dict[str, np.ndarray]:
     cuts = {}
     network, stakes = problem.network, problem.stakes
     for method in plugins.names("ranking"):
-        known = {entry["name"] for entry in plugins.describe("ranking", method)["parameters"]}
-        options = dict(OPTIONS.get(method, {}))
-        if "budget" in known:
-            options["budget"] = problem.count / network.n_burnable
-        cuts[method] = problem.first(rank(network, method, stakes=stakes, **options).values)
+        budget = Budget(problem.count / network.n_burnable)
+        made = design(network, method, stakes=stakes, budget=budget, params=OPTIONS.get(method)).values
+        cuts[method] = problem.first(made)
         if method == "dissection":
-            cuts[SEARCHED] = searched(problem, rank(network, method, stakes=stakes, **options).values, moves=moves)
+            cuts[SEARCHED] = searched(problem, made, moves=moves)
     for method in ("bonacich", "betweenness"):
         again = rank(network, method, stakes=stakes, recompute_every=1e-6).values
         cuts[f"{method}, cell by cell"] = problem.first(again)

@@ -127,7 +127,7 @@ def test_equal_plans_are_made_once(network, monkeypatch):
     for method, params, count in (
         ("dissection", {}, 1 + 2),
         ("dissection", {"width": 2}, 2),
-        ("dissection", {"residual": 0.1, "budget": 0.2}, 1),
+        ("dissection", {"residual": 0.1, "cost_share": 0.2}, 1),
         ("compartments", {}, 2),
         ("random", {}, 1),
     ):

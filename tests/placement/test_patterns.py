@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import find_objects, label
 
+from firebreak_gis import plugins
 from firebreak_gis.breaks import select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.kernels.terrain import uphill_area
@@ -103,12 +104,13 @@ def test_a_grid_encloses_squares_of_its_spacing():
 @pytest.mark.parametrize("method", PATTERNS)
 def test_patterns_keep_to_the_budget_and_off_protected_cells(method):
     network, stakes = landscape()
+    (name,) = (p["name"] for p in plugins.describe("ranking", method)["parameters"] if "share" in p.get("told", ""))
     for budget in (0.03, 0.12):
-        priority = rank(network, method, stakes=stakes, budget=budget).values
+        priority = rank(network, method, stakes=stakes, **{name: budget}).values
         assert np.isneginf(priority[stakes.protected]).all()
         assert np.isfinite(priority[network.burnable & ~stakes.protected]).all()
-    with pytest.raises(ParameterError, match="budget"):
-        rank(network, method, stakes=stakes, budget=0.0)
+    with pytest.raises(ParameterError, match=name):
+        rank(network, method, stakes=stakes, **{name: 0.0})
 
 
 @pytest.mark.parametrize(("direction", "axis"), [(0.0, 1), (90.0, 0)])
@@ -126,7 +128,7 @@ def test_the_pattern_chosen_loses_no_more_than_any_given_direction(method):
     expected = ExpectedLoss(network, stakes)
 
     def loss(**options: float) -> float:
-        priority = rank(network, method, stakes=stakes, budget=0.2, **options)
+        priority = rank(network, method, stakes=stakes, cost_share=0.2, **options)
         cut = select_breaks(priority, budget=0.2 * stakes.cost.sum(), unit="cost", cost=stakes.cost).values > 0
         return expected(cut)
 

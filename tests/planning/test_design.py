@@ -12,9 +12,10 @@ from firebreak_gis.breaks import Budget, removal_order, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.widening import offsets
-from firebreak_gis.planning.design import design, plan_params
+from firebreak_gis.planning.design import Designs, design, facts
 from firebreak_gis.planning.pipeline import plan
 from firebreak_gis.planning.thickening import thickened
+from firebreak_gis.progress import silent
 from firebreak_gis.ranking import rank
 from firebreak_gis.stakes import Stakes
 
@@ -26,27 +27,63 @@ def random_network(seed, shape=(11, 14), boundary="open"):
     )
 
 
-def told(method, given=None, **more):
-    return plan_params(method, given or {}, **{"share": 0.2, "residual": 0.1, "width": 3, **more})
+def told(method, given=None, *, share=0.2, **more):
+    network = random_network(0)
+    known = facts(network, Stakes(network), Budget(share), **{"residual": 0.1, "width": 3, **more})
+    assert set(known) == set(plugins.FACTS)
+    return plugins.told(plugins.load("ranking", method), known, given or {})
 
 
 def test_methods_are_told_what_they_ask_for():
-    assert told("dissection") == {"residual": 0.1, "budget": 0.2, "least_width": 3}
-    assert told("dissection", {"residual": 0.3, "budget": 0.5}) == {"least_width": 3}
-    assert told("compartments") == {"budget": 0.2, "width": 3}
-    assert told("stripes", width=1) == {"budget": 0.2, "width": 1}
+    assert told("dissection") == {"residual": 0.1, "cost_share": 0.2, "least_width": 3}
+    assert told("dissection", {"residual": 0.3, "cost_share": 0.5}) == {"least_width": 3}
+    assert told("compartments") == {"cost_share": 0.2, "width": 3}
+    assert told("stripes", width=1) == {"cost_share": 0.2, "width": 1}
+    assert told("splat", width=5) == {"cell_share": 0.2, "width": 5}
     assert told("dfpz") == {"width": 5}  # its own is wider
     plane = np.zeros((2, 3))
     assert set(told("dfpz", elevation=plane, roads=plane)) == {"width", "elevation", "roads"}
     assert told("bonacich", {"beta": 0.2}) == {}
-    assert told("compartments", {"width": "4"}) == {"budget": 0.2}
+    assert told("compartments", {"width": "4"}) == {"cost_share": 0.2}
     with pytest.raises(ParameterError, match="at least 3 cells wide"):
         told("compartments", {"width": "2"})
+    with pytest.raises(ParameterError, match=r"no parameter 'height'.*width"):
+        told("compartments", {"height": "2", "width": "x"})
     assert told("dissection", {"width": 0})["least_width"] == 3
+    network = random_network(0)
+    with pytest.raises(ParameterError, match="at least 3 cells wide"):
+        design(network, "dissection", stakes=Stakes(network), budget=Budget(0.2), width=3, params={"width": 2})
     for name in plugins.names("ranking"):
-        known = {p["name"] for p in plugins.describe("ranking", name)["parameters"]}
-        assert set(told(name)) <= known
-        assert told(name, share=0.0).get("budget", 0.0) >= 0.0
+        module = plugins.load("ranking", name)
+        asked = {p["name"]: p["told"] for p in plugins.describe("ranking", name)["parameters"] if "told" in p}
+        plane = np.zeros(network.shape)
+        assert set(told(name, elevation=plane, roads=plane)) == set(asked)
+        assert set(asked.values()) == {fact for fact in plugins.FACTS if plugins.asks_for(module, fact)}
+        plugins.build_params(module, told(name, share=0.0))  # never out of range
+
+
+def test_a_parameter_can_only_ask_for_what_a_plan_knows():
+    with pytest.raises(ParameterError, match=r"told 'colour'.*cost_share"):
+        plugins.parameter(1.0, text="a colour", told="colour")
+
+
+@pytest.mark.parametrize("width", [0, 2])
+@pytest.mark.parametrize("residual", [0.0, 0.3])
+def test_parameters_that_make_no_difference_give_one_plan(width, residual):
+    """Plans of two budgets are one and the same where the method says so, and only there."""
+    network = random_network(3, shape=(16, 21))
+    module = plugins.load("ranking", "dissection")
+    both = [{"width": width, "residual": residual, "cost_share": share} for share in (0.05, 0.4)]
+    settled = [plugins.effective(module, plugins.build_params(module, p)) for p in both]
+    ranked = [rank(network, "dissection", **p).to_numpy() for p in both]
+    if settled[0] == settled[1]:
+        np.testing.assert_array_equal(*ranked)
+    assert (settled[0] == settled[1]) == (width > 0 or residual == 0.0)
+    designs = Designs(network, "dissection", stakes=Stakes(network), params={"width": width})
+    plans = [designs(b, residual, silent) for b in (0.05, 0.4)]
+    assert (plans[0] is plans[1]) == (settled[0] == settled[1])
+    for plan_, expected in zip(plans, ranked, strict=True):
+        np.testing.assert_array_equal(plan_, expected)
 
 
 def test_share_of_the_cost():
@@ -65,7 +102,7 @@ def test_a_plan_with_leaks_is_designed_for_them(make_landscape):
     """The same as when the method itself is asked for that leak and budget."""
     landscape = make_landscape((30, 40), seed=1, relief=3.0, holes=0.03)
     made = plan(landscape, budget=0.3, residual=0.3, n_runs=5, seed=4)
-    asked = rank(made.network, "dissection", seed=4, residual=0.3, budget=0.3, least_width=1)
+    asked = rank(made.network, "dissection", seed=4, residual=0.3, cost_share=0.3, least_width=1)
     np.testing.assert_array_equal(made.priority, asked)
     perfect = plan(landscape, budget=0.3, residual=0.3, method_params={"residual": 0.0}, n_runs=5, seed=4)
     np.testing.assert_array_equal(perfect.priority, rank(made.network, "dissection", seed=4))

@@ -37,5 +37,6 @@ def _full(method: dict[str, Any]) -> str:
         bounds = [f"{word} {p[key]:g}" for key, word in (("minimum", "from"), ("maximum", "to")) if key in p]
         units = "" if p["units"] == "1" else f" [{p['units']}]"
         limits = f" ({' '.join(bounds)})" if bounds else ""
-        lines.append(f"  {p['name']} = {p['default']}{units}  {p['text']}{limits}")
+        told = f"; a plan tells it: {plugins.FACTS[p['told']]}" if "told" in p else ""
+        lines.append(f"  {p['name']} = {p['default']}{units}  {p['text']}{limits}{told}")
     return "\n".join(lines if method["parameters"] else [*lines, "  none"])
