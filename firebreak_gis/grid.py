@@ -273,6 +273,8 @@ def parse_crs(value: Any) -> CRS:
 
 
 def crs_name(crs: CRS) -> str:
-    """Short name for people: the EPSG code if there is one, else the name."""
+    """Short name for people: the EPSG code if there is one, else the name; and whether it carries a datum shift."""
+    if crs.is_bound and crs.source_crs is not None:
+        return f"{crs_name(crs.source_crs)} with its own datum shift"
     epsg = crs.to_epsg()
     return f"EPSG:{epsg}" if epsg else str(crs.name)

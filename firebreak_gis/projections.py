@@ -27,12 +27,24 @@ _EARTH_RADIUS = (6.3e6, 6.45e6)
 
 
 def horizontal(crs: CRS) -> CRS:
-    """Return the two-dimensional horizontal part of a compound, 3-D or bound CRS."""
-    if crs.is_bound and crs.source_crs is not None:
-        return horizontal(crs.source_crs)
+    """Return the two-dimensional horizontal part of a compound, 3-D or bound CRS.
+
+    A datum shift that the CRS carries itself (TOWGS84, grid files) stays with it: without it places would lie up to
+    some hundreds of metres off.
+    """
     if crs.is_compound:
         return horizontal(crs.sub_crs_list[0])
+    if crs.is_bound and crs.source_crs is not None and crs.source_crs.is_compound:
+        from pyproj.crs import BoundCRS
+
+        inner = horizontal(crs.source_crs)
+        return inner if inner.is_bound else BoundCRS(inner, crs.target_crs, crs.coordinate_operation)
     return crs.to_2d()
+
+
+def without_shift(crs: CRS) -> CRS:
+    """Return the CRS itself of one that carries a datum shift: for what it is called and how it is projected."""
+    return crs.source_crs if crs.is_bound and crs.source_crs is not None else crs
 
 
 def vertical_factor(crs: CRS) -> float | None:
@@ -71,7 +83,7 @@ def require_plausible(crs: CRS, bounds: tuple[float, float, float, float], where
             raise CRSError(f"{where} claims degrees ({crs_name(crs)}) but its coordinates are {box}; {fix}")
     elif max(abs(left), abs(right)) <= 360 and max(abs(bottom), abs(top)) <= 90 and right - left < 90:
         lon, lat = to_lonlat(crs, np.array([(left + right) / 2]), np.array([(bottom + top) / 2]))
-        area = crs.area_of_use
+        area = without_shift(crs).area_of_use
         # Degrees read as metres lie beside the false origin, which is outside the area of most systems.
         outside = area is None or not (
             area.south - 1 <= lat[0] <= area.north + 1
@@ -154,7 +166,8 @@ def unsuitable(crs: CRS, x: float, y: float) -> str | None:
         return "is in degrees"
     if any(abs(axis.unit_conversion_factor - 1) > 1e-9 for axis in crs.axis_info[:2]):
         return f"is in {crs.axis_info[0].unit_name}, not in metres"
-    method = crs.coordinate_operation.method_name if crs.coordinate_operation else ""
+    conversion = without_shift(crs).coordinate_operation
+    method = conversion.method_name if conversion else ""
     if "Mercator" in method and not any(word in method for word in ("Transverse", "Oblique", "Space")):
         return "is Mercator, whose metres are not true"
     east, north = ground_size(crs, x, y, (1.0, 0.0)), ground_size(crs, x, y, (0.0, 1.0))

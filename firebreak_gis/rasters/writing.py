@@ -14,8 +14,9 @@ import numpy as np
 
 from firebreak_gis.errors import InputError, OutputError, VerificationError
 from firebreak_gis.files import together, write_bytes, write_text
-from firebreak_gis.grid import Grid
+from firebreak_gis.grid import Grid, crs_name, parse_crs
 from firebreak_gis.lattice import DIRECTIONS
+from firebreak_gis.projections import outline, to_lonlat
 from firebreak_gis.rasters.header import open_raster
 from firebreak_gis.rasters.reading import TAG
 from firebreak_gis.schema import VARIABLES, Variable
@@ -24,6 +25,7 @@ from firebreak_gis.threads import thread_count
 
 if TYPE_CHECKING:
     import xarray as xr
+    from pyproj import CRS
 
 _LOADED_IN = os.getpid()
 
@@ -250,8 +252,6 @@ def _verify(part: Path, planes: np.ndarray, grid: Grid, variable: Variable) -> N
 
 
 def _compare(part: Path, planes: np.ndarray, grid: Grid, variable: Variable) -> None:
-    from firebreak_gis.grid import parse_crs
-
     with open_raster(part) as source:
         crs = None if source.crs is None else parse_crs(source.crs.to_wkt())
         found = Grid((source.height, source.width), source.transform, crs)
@@ -259,6 +259,11 @@ def _compare(part: Path, planes: np.ndarray, grid: Grid, variable: Variable) -> 
             raise VerificationError(f"{variable.name}: written on {grid.describe()}, read back on {found.describe()}")
         if (crs is None) != (grid.crs is None):
             raise VerificationError(f"{variable.name}: the CRS was lost in the file")
+        if crs is not None and grid.crs is not None and crs != grid.crs and _apart(crs, grid):
+            raise VerificationError(
+                f"{variable.name}: the file cannot keep the CRS {crs_name(grid.crs)} as it is, places would lie "
+                "elsewhere; choose another one, e.g. UTM (--dst-crs)"
+            )
         if source.nodata != variable.nodata and not (source.nodata is None and variable.nodata is None):
             raise VerificationError(
                 f"{variable.name}: no data written as {variable.nodata}, read back as {source.nodata}"
@@ -268,6 +273,15 @@ def _compare(part: Path, planes: np.ndarray, grid: Grid, variable: Variable) -> 
                 raise VerificationError(
                     f"{variable.name}: band {band} does not read back as it was written; is the disk failing?"
                 )
+
+
+def _apart(crs: CRS, grid: Grid) -> bool:
+    """Whether the border of the grid lies elsewhere on the Earth when it is read in `crs`, by 0.1 m or more."""
+    assert grid.crs is not None
+    x, y = outline(grid.transform, grid.shape, points=3)
+    there, here = (np.array(to_lonlat(which, x, y)) for which in (crs, grid.crs))
+    known = np.isfinite(here) & np.isfinite(there)
+    return bool((np.abs(there - here)[known] > 1e-6).any())
 
 
 def _write_style(place: Path, values: np.ndarray, variable: Variable, overwrite: bool) -> None:
