@@ -30,8 +30,29 @@ if TYPE_CHECKING:
 DRIVERS: Mapping[str, str] = MappingProxyType(
     {".gpkg": "GPKG", ".geojson": "GeoJSON", ".json": "GeoJSON", ".fgb": "FlatGeobuf", ".parquet": "Parquet"}
 )
+#: Extensions of vector files; whatever else is named is a raster.
+_EXTENSIONS = frozenset(
+    {*DRIVERS, ".shp", ".shz", ".kml", ".kmz", ".gml", ".gpx", ".sqlite", ".geojsonl", ".geojsons", ".topojson", ".dxf"}
+    | {".tab", ".mif", ".gdb"}
+)
 #: Time stamp inside GeoPackages, the same in every run so that equal data give equal bytes.
 FIXED_DATE = "2000-01-01T00:00:00Z"
+
+
+def is_vector(source: Any) -> bool:
+    """Whether a source is vector data: geometries, or a name with the extension of a vector file.
+
+    The one answer for every option that takes either; `a.nc:variable`, `.jp2` and names without an extension are
+    rasters.
+
+    Examples
+    --------
+    >>> [is_vector(name) for name in ("roads.gpkg", "A.SHP", "risk.jp2", "data.nc:risk")]
+    [True, True, False, False]
+    """
+    if hasattr(source, "geometry"):
+        return True
+    return isinstance(source, (str, os.PathLike)) and Path(source).suffix.lower() in _EXTENSIONS
 
 
 def read_points(source: Any, crs: Any) -> gpd.GeoDataFrame:
@@ -68,6 +89,11 @@ def read_polygons(source: Any, crs: Any) -> gpd.GeoDataFrame:
 def read_features(source: Any, crs: Any) -> gpd.GeoDataFrame:
     """Read lines and polygons together, reprojected to `crs`; as `read_points`."""
     return _read(source, crs, "lines or polygons", {"LineString", "LinearRing", "Polygon"})
+
+
+def read_starts(source: Any, crs: Any) -> gpd.GeoDataFrame:
+    """Read points and polygons together, where fires start, reprojected to `crs`; as `read_points`."""
+    return _read(source, crs, "points or polygons", {"Point", "Polygon"})
 
 
 def write_vector(
