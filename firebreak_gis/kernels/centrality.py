@@ -86,10 +86,10 @@ def betweenness(
     network = lattice(probability, burnable, boundary=boundary)
     total = np.zeros(network.lengths.shape[0])
     n_cells = network.cells.size
-    with _Searches(network, threads) as searches:
+    with Searches(network, threads) as searches:
         for done in searches.add_dependencies(network.cells, total):
             progress(done / max(n_cells, 1), f"{done} of {n_cells} sources")
-    return _without_rim(total, network)
+    return without_rim(total, network)
 
 
 def sampled_betweenness(
@@ -129,7 +129,7 @@ def sampled_betweenness(
     sources = network.cells[np.argsort(uniforms(key, n_cells), kind="stable")]
     total = np.zeros(network.lengths.shape[0])
     used, bound, largest, shown = 0, 1.0, 0.02, 0.0
-    with _Searches(network, threads) as searches:
+    with Searches(network, threads) as searches:
         for look, goal in enumerate(_looks(n_cells, pivots, epsilon, delta)):
             chance = delta if pivots else delta / ((look + 1) * (look + 2))
             needed = goal if pivots else _pivots_for(largest, n_cells, epsilon, chance)
@@ -143,7 +143,58 @@ def sampled_betweenness(
                 break
     progress(1.0, f"{used} pivots, error below {bound:.3g}")
     scale = n_cells / used if used else 1.0
-    return Sample(_without_rim(total * scale, network), used, bound if used else 0.0)
+    return Sample(without_rim(total * scale, network), used, bound if used else 0.0)
+
+
+def percolation(
+    probability: np.ndarray,
+    burnable: np.ndarray,
+    states: np.ndarray,
+    *,
+    pivots: int = 0,
+    seed: int = 0,
+    boundary: str = "open",
+    threads: int | None = None,
+    progress: Progress = silent,
+) -> np.ndarray:
+    """Percolation centrality (Piraveenan, Prokopenko, Hossain 2013, doi 10.1371/journal.pone.0053095).
+
+    Parameters
+    ----------
+    probability, burnable, boundary, threads, progress
+        As for `betweenness`.
+    states
+        (rows, cols) float64 of at least 0: how much each cell already burns.
+    pivots
+        0: every cell is a source. Else so many sources are drawn in proportion to their states; with probability
+        1 - delta the sum over sources is off by at most sqrt(log(2 n / delta) / (2 pivots)) of the sum of states
+        times n - 1 (Hoeffding's bound).
+    seed
+        Seed of the draws (purpose "pivots").
+
+    Returns
+    -------
+    numpy.ndarray
+        (rows, cols) float64: the mean share of shortest paths through the cell over its n - 2 possible targets and
+        over sources weighted by their states; 0 where no other cell has a state.
+    """
+    network = lattice(probability, burnable, boundary=boundary)
+    x = np.asarray(states, dtype=np.float64)[burnable]
+    total = np.zeros(network.lengths.shape[0])
+    n_cells = network.cells.size
+    sources, weights = network.cells[x > 0.0], x[x > 0.0]
+    if pivots and sources.size:
+        heap = np.cumsum(weights)
+        drawn = np.searchsorted(heap, uniforms(stream_key(seed, "pivots"), pivots) * heap[-1], side="right")
+        sources = sources[np.minimum(drawn, sources.size - 1)]
+        weights = np.full(pivots, heap[-1] / pivots)
+    with Searches(network, threads) as searches:
+        for done in searches.add_dependencies(sources, total, weights):
+            progress(done / max(sources.size, 1), f"{done} of {sources.size} sources")
+    others = np.zeros(burnable.shape)
+    others[burnable] = (x.sum() - x) * max(n_cells - 2, 1)
+    sums = without_rim(total, network)
+    return np.divide(sums, others, out=np.zeros(burnable.shape), where=others > 1e-12 * max(float(x.sum()), 1e-300))
 
 
 def error_bound(largest: float, pivots: int, n_cells: int, delta: float) -> float:
@@ -199,7 +250,7 @@ def closeness(
     network = lattice(probability, burnable, boundary=boundary, transpose=transpose)
     n_cells = network.cells.size
     sums, reached = np.zeros(n_cells), np.zeros(n_cells, dtype=np.int64)
-    with _Searches(network, threads) as searches:
+    with Searches(network, threads) as searches:
         for done in searches.sum_distances(network.cells, sums, reached):
             progress(done / max(n_cells, 1), f"{done} of {n_cells} sources")
     scores = np.zeros(burnable.shape)
@@ -210,7 +261,7 @@ def closeness(
     return scores
 
 
-class _Searches:
+class Searches:
     """Threads with a workspace each, working through batches of sources."""
 
     def __init__(self, network: Lattice, threads: int | None) -> None:
@@ -224,27 +275,39 @@ class _Searches:
         self._spare: list[np.ndarray] = []
         self._pool = ThreadPoolExecutor(self.threads)
 
-    def __enter__(self) -> _Searches:
+    def __enter__(self) -> Searches:
         return self
 
     def __exit__(self, *error: object) -> None:
         self._pool.shutdown(cancel_futures=True)
 
-    def add_dependencies(self, sources: np.ndarray, total: np.ndarray) -> Iterator[int]:
-        """Add the dependencies of `sources` to `total`; yields the sources done."""
+    def add_dependencies(
+        self, sources: np.ndarray, total: np.ndarray, weights: np.ndarray | None = None
+    ) -> Iterator[int]:
+        """Add the dependencies of `sources`, each times its weight (1), to `total`; yields the sources done."""
+        factors = np.ones(sources.size) if weights is None else weights
 
-        def batch(first: int) -> np.ndarray:
+        def batch(space: Workspace, chosen: slice, part: np.ndarray) -> None:
+            betweenness_batch(sources[chosen], factors[chosen], *self.graph(), *space.labels, *space.counts, part)
+
+        yield from self.add(sources.size, batch, total)
+
+    def add(
+        self, n_sources: int, batch: Callable[[Workspace, slice, np.ndarray], None], total: np.ndarray
+    ) -> Iterator[int]:
+        """Add to `total` what `batch(space, chosen, part)` writes to `part`; yields the sources done."""
+
+        def run(first: int) -> np.ndarray:
             part = self._spare.pop() if self._spare else np.empty_like(total)
-            chosen = sources[first : first + self.batch]
             with self._space() as space:
-                betweenness_batch(chosen, *self._graph(), *space.labels, *space.counts, part)
+                batch(space, slice(first, first + self.batch), part)
             return part
 
         def take(part: np.ndarray) -> None:
             np.add(total, part, out=total)
             self._spare.append(part)
 
-        yield from self._in_order(sources.size, batch, take)
+        yield from self._in_order(n_sources, run, take)
 
     def sum_distances(self, sources: np.ndarray, sums: np.ndarray, reached: np.ndarray) -> Iterator[int]:
         """Write each source's sum of distances and number of cells reached; yields the sources done."""
@@ -252,7 +315,7 @@ class _Searches:
         def batch(first: int) -> None:
             chosen = slice(first, first + self.batch)
             with self._space() as space:
-                distance_batch(sources[chosen], *self._graph(), *space.labels, sums[chosen], reached[chosen])
+                distance_batch(sources[chosen], *self.graph(), *space.labels, sums[chosen], reached[chosen])
 
         yield from self._in_order(sources.size, batch, lambda _: None)
 
@@ -289,12 +352,14 @@ class _Searches:
         if first is not None:
             waiting.append((first, self._pool.submit(batch, first)))
 
-    def _graph(self) -> tuple[np.ndarray, np.uint64, np.ndarray, np.ndarray, np.uint64]:
+    def graph(self) -> tuple[np.ndarray, np.uint64, np.ndarray, np.ndarray, np.uint64]:
+        """Arguments of the kernels that say what is searched."""
         network = self.network
         return network.lengths, network.absent, network.offset, network.home, network.shift
 
 
-def _without_rim(values: np.ndarray, network: Lattice) -> np.ndarray:
+def without_rim(values: np.ndarray, network: Lattice) -> np.ndarray:
+    """(rows, cols) of a flat array over the grid with its rim."""
     rows, cols = network.shape
     return values.reshape(rows + 2, cols + 2)[1:-1, 1:-1].copy()
 

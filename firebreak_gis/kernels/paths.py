@@ -335,15 +335,16 @@ def add_dependencies(
     came_from: np.ndarray,
     order: np.ndarray,
     dependency: np.ndarray,
+    weight: float,
     total: np.ndarray,
 ) -> None:
-    """Add to `total`, for every cell, the share of shortest paths from the last source that pass through it."""
+    """Add to `total`, for every cell, `weight` times the share of shortest paths from the last source through it."""
     periodic = home.size > 0
     for i in range(count - 1, 0, -1):
         cell = np.uint64(order[i])
         passing = dependency[cell]
         dependency[cell] = 0.0
-        total[cell] += passing
+        total[cell] += weight * passing
         per_path = (1.0 + passing) / paths[cell]
         bits = came_from[cell]
         while bits != 0:
@@ -367,6 +368,7 @@ def add_tree_dependencies(
     came_from: np.ndarray,
     order: np.ndarray,
     dependency: np.ndarray,
+    weight: float,
     total: np.ndarray,
 ) -> None:
     """Do as `add_dependencies` where every cell is reached by one shortest path."""
@@ -375,7 +377,7 @@ def add_tree_dependencies(
         cell = np.uint64(order[i])
         passing = dependency[cell]
         dependency[cell] = 0.0
-        total[cell] += passing
+        total[cell] += weight * passing
         before = cell - offset[_LOWEST[came_from[cell]]]
         if periodic:
             before = np.uint64(home[before])
@@ -386,6 +388,7 @@ def add_tree_dependencies(
 @kernel
 def betweenness_batch(
     sources: np.ndarray,
+    weights: np.ndarray,
     lengths: np.ndarray,
     absent: np.uint64,
     offset: np.ndarray,
@@ -401,18 +404,18 @@ def betweenness_batch(
     dependency: np.ndarray,
     total: np.ndarray,
 ) -> None:
-    """Write to `total`, for every cell, the dependencies of all `sources` on it; `dependency` is 0 before and after."""
+    """Write to `total` the weighted dependencies of all `sources` on every cell; `dependency` stays 0."""
     total[:] = 0.0
-    for source in sources:
+    for k in range(sources.size):
         distance[:] = UNREACHED
         count, tied = search(
-            np.uint64(source), lengths, absent, offset, home, shift, distance, came_from, order, head, entry
+            np.uint64(sources[k]), lengths, absent, offset, home, shift, distance, came_from, order, head, entry
         )
         if tied:
             count_paths(count, offset, home, paths, exponent, came_from, order)
-            add_dependencies(count, offset, home, paths, exponent, came_from, order, dependency, total)
+            add_dependencies(count, offset, home, paths, exponent, came_from, order, dependency, weights[k], total)
         else:
-            add_tree_dependencies(count, offset, home, came_from, order, dependency, total)
+            add_tree_dependencies(count, offset, home, came_from, order, dependency, weights[k], total)
 
 
 @kernel

@@ -125,3 +125,53 @@ def dependencies(network: SpreadNetwork, source: int) -> np.ndarray:
             through[previous] += n_paths[previous] / n_paths[cell] * (1 + through[cell])
     through[source] = 0
     return through.reshape(network.shape)
+
+
+def conductances(network: SpreadNetwork) -> np.ndarray:
+    """Dense matrix of the mean of the two probabilities between cells."""
+    matrix = adjacency(network)
+    return 0.5 * (matrix + matrix.T)
+
+
+def domirank(network: SpreadNetwork, competition: float, orientation: str) -> np.ndarray:
+    """Dense solve of Gamma = sigma (I + sigma A)^-1 A 1, sigma a share of 1 / |least eigenvalue|."""
+    matrix = adjacency(network)
+    matrix = matrix.T if orientation == "in" else matrix
+    sigma = competition / -np.linalg.eigvals(matrix).real.min()
+    x = np.linalg.solve(np.eye(len(matrix)) + sigma * matrix, sigma * matrix.sum(axis=1))
+    return x.reshape(network.shape)
+
+
+def shortest_paths(network: SpreadNetwork, source: int) -> dict[int, list[list[int]]]:
+    """All shortest paths from `source` to every cell that it reaches, each as a list of cells, one by one."""
+    found = {source: [[source]]}
+    distance: dict[int, int] = {source: 0}
+    leaving: dict[int, list[tuple[int, int]]] = {}
+    for a, b, step in edges(network):
+        leaving.setdefault(a, []).append((b, int(step * 2**24)))
+    waiting, settled = [(0, source)], set()
+    while waiting:
+        reach, cell = heapq.heappop(waiting)
+        if cell in settled:
+            continue
+        settled.add(cell)
+        for target, step in leaving.get(cell, []):
+            if target not in distance or reach + step < distance[target]:
+                distance[target], found[target] = reach + step, []
+                heapq.heappush(waiting, (reach + step, target))
+            if reach + step == distance[target]:
+                found[target] += [[*path, target] for path in found[cell]]
+    return found
+
+
+def uncovered(network: SpreadNetwork, group: set[int]) -> np.ndarray:
+    """What each cell adds to the betweenness of a group: shares of shortest paths, listed one by one."""
+    gains = np.zeros(network.burnable.size)
+    for source in set(np.flatnonzero(network.burnable).tolist()) - group:
+        for target, ways in shortest_paths(network, source).items():
+            if target == source or target in group:
+                continue
+            for way in ways:
+                if not group & set(way):
+                    gains[way[1:-1]] += 1.0 / len(ways)
+    return gains.reshape(network.shape)
