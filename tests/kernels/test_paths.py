@@ -114,6 +114,7 @@ def test_more_shortest_paths_than_a_float_can_count():
     source = 3 * 760
     centrality.betweenness_batch(
         lattice.cells[[source]],
+        np.ones(1),
         lattice.lengths,
         lattice.absent,
         lattice.offset,
