@@ -196,6 +196,27 @@ class SpreadNetwork:
             heat=self.heat,
         )
 
+    def rate(self) -> np.ndarray:
+        """Rate of spread along the map of a fire that goes from the cell in each direction [m/h].
+
+        Returns
+        -------
+        numpy.ndarray
+            (8, rows, cols) float32, 0 where there is no edge.
+
+        Raises
+        ------
+        InputError
+            If the network has no times, or its grid is not one of square cells in metres.
+        """
+        times = self.require_times("a rate of spread")
+        self.grid.require_metres("rates of spread")
+        out = np.zeros(times.shape, np.float32)
+        for d in range(8):
+            length = np.float32(3600.0 * self.grid.cell_size * STEP_LENGTH[d])
+            np.divide(length, times[d], out=out[d], where=times[d] != NEVER, casting="same_kind")
+        return out
+
     def intensity(self) -> np.ndarray:
         """Fire-line intensity of a fire that goes from the cell in each direction [kW/m].
 
@@ -212,17 +233,13 @@ class SpreadNetwork:
         InputError
             If the network has no times or no heat.
         """
-        times = self.require_times("fire-line intensity")
+        out = self.rate()
         if self.heat is None:
             raise InputError(
                 "fire-line intensity needs the heat that each cell releases, and the network has none; make it with a "
                 "spread model that knows it, or give heat=..."
             )
-        self.grid.require_metres("fire-line intensities")
-        out = np.zeros(times.shape, np.float32)
-        for d in range(8):
-            length = np.float32(self.grid.cell_size * STEP_LENGTH[d])
-            np.divide(self.heat * length, times[d], out=out[d], where=times[d] != NEVER, casting="same_kind")
+        out *= self.heat * np.float32(1 / 3600)
         return out
 
     def flame_length(self) -> np.ndarray:

@@ -43,7 +43,8 @@ def _landscape(
         "density": density,
         "burnable": ~gaps,
     }
-    kinds = {"vegetation_effect": "float32", "density_effect": "float32"}
+    kinds = dict.fromkeys(("vegetation_effect", "density_effect", "rate", "dead_load", "live_load"), "float32")
+    kinds |= dict.fromkeys(("heat_content", "live_moisture"), "float32")
     for name, value in layers.items():
         kind = values[name].dtype if name in values else kinds[name]
         values[name] = np.broadcast_to(np.asarray(value, dtype=kind), shape).copy()

@@ -98,6 +98,10 @@ def spread_params(given: Mapping[str, Any], grid: Grid) -> dict[str, Any]:
     values = weather(given)
     speed, direction = wind_planes(values["wind_speed"], values["wind_from"], grid)
     planes = {"wind_speed": speed, "wind_from": direction, "moisture": moisture_plane(values["moisture"], grid)}
+    if given.get("clock"):
+        if "clock" not in known and given["model"] != "raster":
+            raise ParameterError(f"the spread model {given['model']!r} tells no times; leave --clock out")
+        params = ({"clock": True} if "clock" in known else {}) | params
     return {**{WEATHER[option]: plane for option, plane in planes.items() if WEATHER[option] in known}, **params}
 
 

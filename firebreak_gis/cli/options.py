@@ -302,6 +302,15 @@ def spread(command: F) -> F:
     return _apply(options, command)
 
 
+def clock(command: F) -> F:
+    """--clock."""
+    return click.option(
+        "--clock",
+        is_flag=True,
+        help="Also tell how long fire takes from cell to cell (bands 9 to 16, seconds) and the heat of each cell.",
+    )(command)
+
+
 def ranking(command: F) -> F:
     """--method and -p."""
     options = [

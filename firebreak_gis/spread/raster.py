@@ -72,15 +72,15 @@ def read_network(path: str | Path) -> SpreadNetwork:
     )
 
 
-def probability(landscape: xr.Dataset, params: Params) -> tuple[np.ndarray | None, ...]:
-    """Return probability, travel time and heat read from `params.path`; it must lie on the grid of the landscape."""
+def probability(landscape: xr.Dataset, params: Params) -> tuple[np.ndarray, np.ndarray | None, np.ndarray | None, str]:
+    """Return a `Spread` read from `params.path`; it must lie on the grid of the landscape."""
     if not params.path:
         raise ParameterError("the spread model 'raster' needs path=..., a raster of 8 bands of probabilities")
     planes = _read(params.path)
     data = planes["spread_probability"]
     Grid.of(landscape["burnable"]).require(Grid.of(data), params.path)
-    others = (planes[name].to_numpy() if name in planes else None for name in _BANDS if name != "spread_probability")
-    return _split(data)[0], *others
+    times, heat = (planes[name].to_numpy() if name in planes else None for name in ("travel_time", "heat"))
+    return _split(data)[0], times, heat, data.attrs.get("provenance", {}).get("left_out", "")
 
 
 #: Bands of each variable in a raster that does not say what its bands are.

@@ -21,8 +21,9 @@ from click.testing import CliRunner
 from firebreak_gis import spread_network
 from firebreak_gis.cli import firebreak
 from firebreak_gis.grid import Grid
-from firebreak_gis.landscape import write_landscape
+from firebreak_gis.landscape import read_landscape_folder, write_landscape
 from firebreak_gis.rasters import write_raster
+from firebreak_gis.spread.raster import read_network
 from firebreak_gis.vectors import write_vector
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -347,3 +348,27 @@ def test_evaluation_can_be_run_again_from_its_account(folder, tmp_path):
         assert path.read_bytes() == (tmp_path / "two" / path.name).read_bytes(), path.name
     for wrong in (["--budgets", "0,x"], ["--budgets", "2"], ["--baseline", "nobody"], ["--methods", "degree,degree"]):
         run("evaluate", folder / "network.tif", *wrong, "--runs", 3, "-o", tmp_path / "three", code=2)
+
+
+def test_network_with_a_clock(folder, tmp_path):
+    weather = ["--wind-speed", "6", "--wind-from", "90"]
+    outcome = run("network", folder / "land", "-o", tmp_path / "timed.tif", "--clock", *weather)
+    assert "in the times alone: wind and slope" in outcome.output
+    network = read_network(tmp_path / "timed.tif")
+    expected = spread_network(read_landscape_folder(folder / "land"), clock=True, wind_speed=6, wind_from_direction=90)
+    np.testing.assert_array_equal(network.travel_time, expected.travel_time)
+    np.testing.assert_array_equal(network.heat, expected.heat)
+    assert network.provenance["left_out"] == expected.provenance["left_out"]
+    given = ["--clock", "--model", "raster", "--model-param"]
+    run("network", folder / "land", "-o", tmp_path / "again.tif", *given, f"path={tmp_path / 'timed.tif'}")
+    again = read_network(tmp_path / "again.tif")
+    np.testing.assert_array_equal(again.travel_time, expected.travel_time)
+    assert again.provenance == network.provenance
+    outcome = run(
+        "network", folder / "land", "-o", tmp_path / "no.tif", *given, f"path={folder / 'network.tif'}", code=3
+    )
+    assert "--clock needs travel times" in outcome.output
+    outcome = run("network", folder / "land", "-o", tmp_path / "no.tif", "--clock", "--model", "artificial", code=2)
+    assert "tells no times" in outcome.output
+    for command in (["rank", tmp_path / "timed.tif", "--method", "degree"], ["burn", tmp_path / "timed.tif"]):
+        run(*command, "-o", tmp_path / f"{command[0]}.tif")

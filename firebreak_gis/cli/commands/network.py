@@ -3,26 +3,34 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
 from firebreak_gis.cli import options, parsing
 from firebreak_gis.cli.layers import input_files, spread_params
 from firebreak_gis.cli.session import Session
 
+if TYPE_CHECKING:
+    from firebreak_gis.network import SpreadNetwork
+
 
 @click.command("network")
 @click.argument("folder", type=click.Path(file_okay=False))
-@options.output_file("Eight-band GeoTIFF")
+@options.output_file("GeoTIFF of 8 bands, or 17 with --clock,")
 @options.spread
+@options.clock
 @options.fitting("network")
 @options.common
 def command(session: Session, folder: str, output: str, **given: Any) -> None:
     """Build the spread network of the landscape in FOLDER (made by align).
 
     Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order
-    N NE E SE S SW W NW.
+    N NE E SE S SW W NW. With --clock bands 9 to 16 hold the seconds that this takes, and band 17 the heat that the
+    cell releases (kJ/m2): fires on such a network can have a clock. Wind and slope then act on the times and leave the
+    probabilities, unless --model-param probability_keeps= says otherwise; so take a network without --clock for
+    fires without one.
     """
     from firebreak_gis.files import require_writable
     from firebreak_gis.grid import Grid
@@ -37,8 +45,11 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
     grid = Grid.of(landscape["burnable"])
     session.progress(0.2, "spread network")
     network = spread_network(landscape, model=given["model"], **spread_params(given, grid))
+    if given["clock"]:
+        network.require_times("--clock")
     session.progress(0.6, "writing")
-    tags = provenance({k: given[k] for k in ("model", "model_params", "wind_speed", "wind_from", "moisture")})
+    recorded = ("model", "model_params", "wind_speed", "wind_from", "moisture", *(["clock"] if given["clock"] else []))
+    tags = provenance({k: given[k] for k in recorded}) | network.provenance
     write_raster(
         output,
         network.to_dataset(),
@@ -48,7 +59,23 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
         creation_options=parsing.pairs(given["creation_options"], "--co"),
     )
     session.finish(
-        {"files": [output], "burnable_cells": network.n_burnable},
+        {"files": [output], "burnable_cells": network.n_burnable, **_pace(network)},
         f"{network.n_burnable} cells with fuel, mean edge probability "
-        f"{network.probability[:, network.burnable].mean():.3f}; written to {output}",
+        f"{network.probability[:, network.burnable].mean():.3f}{_told(network)}; written to {output}",
     )
+
+
+def _pace(network: SpreadNetwork) -> dict[str, float]:
+    """Median rate of spread over the edges [m/h]."""
+    if network.travel_time is None:
+        return {}
+    rates = network.rate()[network.probability > 0]
+    return {"median_rate_m_h": round(float(np.median(rates)), 1) if rates.size else 0.0}
+
+
+def _told(network: SpreadNetwork) -> str:
+    if network.travel_time is None:
+        return ""
+    left_out = network.provenance.get("left_out")
+    warning = f", in the times alone: {left_out}" if left_out else ""
+    return f", median rate of spread {_pace(network)['median_rate_m_h']:g} m/h{warning}"
