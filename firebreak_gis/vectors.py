@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
@@ -19,6 +20,16 @@ from firebreak_gis.errors import (
     VerificationError,
 )
 from firebreak_gis.files import replacing, write_bytes
+from firebreak_gis.files.gate import (
+    asked_for_network,
+    located,
+    names_in,
+    offline,
+    require_file,
+    require_local,
+    shortened,
+    stands,
+)
 from firebreak_gis.grid import crs_name, parse_crs
 
 if TYPE_CHECKING:
@@ -232,24 +243,36 @@ def _frames(source: Any) -> tuple[str, list[gpd.GeoDataFrame]]:
     if isinstance(source, gpd.GeoDataFrame):
         return "the features", [source]
     name = os.fspath(source)
-    if "://" not in name and not name.startswith("/vsi") and not Path(name).exists():
-        raise InputError(f"{name} does not exist; check the name and the folder")
+    if not stands(name):
+        raise InputError(
+            f"{shortened(name)} does not exist on this machine; check the name and the folder, or, if it is a network "
+            "or archive address, download or unpack it first"
+        )
     if name.lower().endswith(".parquet"):
         return name, [_read_parquet(name)]
     import pyogrio
     from pyogrio.errors import DataLayerError, DataSourceError
     from shapely.errors import ShapelyError
 
+    place = os.path.abspath(name)  # noqa: PTH100 - a relative name may look like an address
     try:
-        layers = [str(row[0]) for row in pyogrio.list_layers(name) if row[1] is not None]
-        frames = [_read_layer(name, layer) for layer in layers]
+        with offline(_settings):
+            _require_local(name, place)
+            layers = [str(row[0]) for row in pyogrio.list_layers(place) if row[1] is not None]
+            frames = [_read_layer(place, layer) for layer in layers]
+            if frames:
+                _require_whole(place, layers, frames)
+    except InputError:
+        raise
     except (DataSourceError, DataLayerError, ShapelyError, OSError, ValueError) as error:
-        raise InputError(f"{name} cannot be read as vector data ({str(error)[:120]}); is it complete?") from error
+        if asked_for_network(error):
+            raise InputError(f"{name} describes data on a server; download them first") from error
+        text = str(error).replace(place, "the file")[:120]
+        raise InputError(f"{name} cannot be read as vector data ({text}); is it complete?") from error
     except MemoryError as error:  # as many features as the header of a damaged file may claim
         raise ResourceError(f"{name} claims more features than fit into memory; is it damaged?") from error
     if not frames:
         raise InputError(f"{name} holds no layer with geometries")
-    _require_whole(name, layers, frames)
     return name, frames
 
 
@@ -261,6 +284,49 @@ def _read_layer(name: str, layer: str) -> gpd.GeoDataFrame:
         return gpd.read_file(name, layer=layer, engine="pyogrio")
     except UnicodeDecodeError:
         return gpd.read_file(name, layer=layer, engine="pyogrio", ENCODING="ISO-8859-1")
+
+
+def _require_local(name: str, place: str) -> None:
+    """Refuse a description of data that lie elsewhere, also where a virtual file leads to one."""
+    import pyogrio
+    from pyogrio.errors import DataLayerError, DataSourceError
+
+    waiting, known = [place], set[str]()
+    while waiting:
+        inner = waiting.pop()
+        real = os.path.realpath(inner)
+        if real in known:
+            continue
+        known.add(real)
+        driver = ""
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", RuntimeWarning)  # of what cannot be reached
+                for layer, _ in pyogrio.list_layers(inner)[:1]:
+                    driver = pyogrio.read_info(inner, layer=layer)["driver"]
+        except (DataSourceError, DataLayerError):
+            if inner == place:
+                raise
+        whose = name if inner == place else f"{name} refers to {inner}, which"
+        require_file(whose, driver)
+        if driver == "OGR_VRT":
+            text = Path(inner).read_text(encoding="utf-8-sig", errors="replace")
+            more = [located(found, Path(inner).parent) for found in names_in(text, {"srcdatasource"})]
+            require_local(whose, more)
+            waiting += more
+
+
+@contextlib.contextmanager
+def _settings(values: Mapping[str, str]) -> Iterator[None]:
+    """Configure the GDAL of pyogrio for the length of a block."""
+    import pyogrio
+
+    before = {key: pyogrio.get_gdal_config_option(key) for key in values}
+    pyogrio.set_gdal_config_options(dict(values))
+    try:
+        yield
+    finally:
+        pyogrio.set_gdal_config_options(before)
 
 
 def _require_whole(name: str, layers: list[str], frames: list[gpd.GeoDataFrame]) -> None:
@@ -335,15 +401,8 @@ def _require_closed(place: Path) -> None:
 @contextlib.contextmanager
 def _fixed_date() -> Iterator[None]:
     """Fix the date inside files, and let SQLite keep its journal to itself: nobody else has the file open."""
-    import pyogrio
-
-    wanted = {"OGR_CURRENT_DATE": FIXED_DATE, "OGR_SQLITE_JOURNAL": "MEMORY"}
-    before = {key: pyogrio.get_gdal_config_option(key) for key in wanted}
-    pyogrio.set_gdal_config_options(wanted)
-    try:
+    with _settings({"OGR_CURRENT_DATE": FIXED_DATE, "OGR_SQLITE_JOURNAL": "MEMORY"}):
         yield
-    finally:
-        pyogrio.set_gdal_config_options(before)
 
 
 def _encoded(gdf: gpd.GeoDataFrame, driver: str, layer: str) -> memoryview:

@@ -3,12 +3,12 @@
 from firebreak_gis.rasters.header import (
     Header,
     header_of_array,
-    open_raster,
     read_header,
     require_georeferenced,
     with_crs,
 )
-from firebreak_gis.rasters.naming import file_of, files_behind
+from firebreak_gis.rasters.naming import file_of
+from firebreak_gis.rasters.opening import files_behind, open_raster
 from firebreak_gis.rasters.reading import Cells, read_cells, read_raster, read_variable, variable_bands
 from firebreak_gis.rasters.writing import disk_dtype, write_raster
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
 import os
-import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +14,8 @@ from affine import Affine
 from firebreak_gis.errors import CRSError, GridError, InputError
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.projections import ASSIGNING, horizontal, require_plausible, vertical_factor
-from firebreak_gis.rasters.naming import gdal_name, look_first, short_name
+from firebreak_gis.rasters.naming import short_name
+from firebreak_gis.rasters.opening import open_raster
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -60,6 +59,8 @@ class Header:
         Sentences on what was ignored.
     array
         The values, for data in memory.
+    remote
+        Whether the values may come over the network or out of an archive.
     """
 
     path: str
@@ -79,6 +80,7 @@ class Header:
     tags: Mapping[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     array: np.ndarray | None = None
+    remote: bool = False
 
     @property
     def north_up(self) -> bool:
@@ -98,37 +100,6 @@ class Header:
     def grid(self) -> Grid:
         """The grid, for north-up rasters."""
         return Grid(self.shape, self.transform, self.crs)
-
-
-@contextlib.contextmanager
-def open_raster(path: str | os.PathLike[str], *, remote: bool = False) -> Iterator[Any]:
-    """Open a raster for reading with rasterio.
-
-    Raises
-    ------
-    InputError
-        If it is missing, a folder, empty, a text, remote (unless `remote`), or not a raster.
-    """
-    import rasterio
-    from rasterio._err import CPLE_BaseError
-    from rasterio.errors import NotGeoreferencedWarning, RasterioError
-
-    name = os.fspath(path)
-    look_first(name, remote)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", NotGeoreferencedWarning)
-        try:
-            source = rasterio.open(gdal_name(name))
-        except (RasterioError, OSError, UnicodeDecodeError) as error:  # the last of a broken .prj
-            raise InputError(
-                f"{name} cannot be read as a raster: {_short(error, name)}; is it complete and of a format "
-                "that GDAL reads?"
-            ) from error
-    try:
-        with source:
-            yield source
-    except CPLE_BaseError as error:  # what GDAL finds only when a damaged file is looked into
-        raise InputError(f"{name} is damaged: {_short(error, name)}; copy or export it again") from error
 
 
 def read_header(
@@ -187,6 +158,7 @@ def read_header(
             located_by=_located_by(source),
             tags=dict(source.tags()),
             notes=notes,
+            remote=remote,
         )
 
 
@@ -319,8 +291,3 @@ def _located_by(source: Any) -> str:
     if source.gcps[0]:
         return "gcp"
     return "rpc" if source.rpcs is not None else ""
-
-
-def _short(error: BaseException, name: str) -> str:
-    text = str(error).replace(name, "the file").replace("\n", " ")
-    return text[:160].rstrip(". ")

@@ -13,7 +13,8 @@ import numpy as np
 from firebreak_gis.errors import GridError, InputError
 from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import DIRECTIONS
-from firebreak_gis.rasters.header import Header, open_raster, read_header, require_georeferenced
+from firebreak_gis.rasters.header import Header, read_header, require_georeferenced
+from firebreak_gis.rasters.opening import open_raster
 from firebreak_gis.schema import VARIABLES, Variable
 
 if TYPE_CHECKING:
@@ -246,8 +247,7 @@ def _stored(header: Header, window: Window) -> tuple[np.ndarray, np.ndarray]:
     from rasterio.windows import Window as FileWindow
 
     where = FileWindow(col, row, cols, rows)
-    # Opened before already; the address was allowed then.
-    with open_raster(header.path, remote=True) as source, warnings.catch_warnings():
+    with open_raster(header.path, remote=header.remote) as source, warnings.catch_warnings():
         warnings.simplefilter("ignore", NotGeoreferencedWarning)
         try:
             values = source.read(header.band, window=where)

@@ -17,7 +17,7 @@ from firebreak_gis.files import together, write_bytes, write_text
 from firebreak_gis.grid import Grid, crs_name, parse_crs
 from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.projections import outline, to_lonlat
-from firebreak_gis.rasters.header import open_raster
+from firebreak_gis.rasters.opening import open_raster
 from firebreak_gis.rasters.reading import TAG
 from firebreak_gis.schema import VARIABLES, Variable
 from firebreak_gis.styles.rasters import qml, rgba
