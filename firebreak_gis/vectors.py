@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import io
 import os
-import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
@@ -22,13 +21,11 @@ from firebreak_gis.errors import (
 from firebreak_gis.files import replacing, write_bytes
 from firebreak_gis.files.gate import (
     asked_for_network,
-    located,
-    names_in,
     offline,
-    require_file,
-    require_local,
+    require_local_vector,
     shortened,
     stands,
+    vector_settings,
 )
 from firebreak_gis.grid import crs_name, parse_crs
 
@@ -256,8 +253,8 @@ def _frames(source: Any) -> tuple[str, list[gpd.GeoDataFrame]]:
 
     place = os.path.abspath(name)  # noqa: PTH100 - a relative name may look like an address
     try:
-        with offline(_settings):
-            _require_local(name, place)
+        with offline(vector_settings):
+            require_local_vector(name, place)
             layers = [str(row[0]) for row in pyogrio.list_layers(place) if row[1] is not None]
             frames = [_read_layer(place, layer) for layer in layers]
             if frames:
@@ -284,49 +281,6 @@ def _read_layer(name: str, layer: str) -> gpd.GeoDataFrame:
         return gpd.read_file(name, layer=layer, engine="pyogrio")
     except UnicodeDecodeError:
         return gpd.read_file(name, layer=layer, engine="pyogrio", ENCODING="ISO-8859-1")
-
-
-def _require_local(name: str, place: str) -> None:
-    """Refuse a description of data that lie elsewhere, also where a virtual file leads to one."""
-    import pyogrio
-    from pyogrio.errors import DataLayerError, DataSourceError
-
-    waiting, known = [place], set[str]()
-    while waiting:
-        inner = waiting.pop()
-        real = os.path.realpath(inner)
-        if real in known:
-            continue
-        known.add(real)
-        driver = ""
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore", RuntimeWarning)  # of what cannot be reached
-                for layer, _ in pyogrio.list_layers(inner)[:1]:
-                    driver = pyogrio.read_info(inner, layer=layer)["driver"]
-        except (DataSourceError, DataLayerError):
-            if inner == place:
-                raise
-        whose = name if inner == place else f"{name} refers to {inner}, which"
-        require_file(whose, driver)
-        if driver == "OGR_VRT":
-            text = Path(inner).read_text(encoding="utf-8-sig", errors="replace")
-            more = [located(found, Path(inner).parent) for found in names_in(text, {"srcdatasource"})]
-            require_local(whose, more)
-            waiting += more
-
-
-@contextlib.contextmanager
-def _settings(values: Mapping[str, str]) -> Iterator[None]:
-    """Configure the GDAL of pyogrio for the length of a block."""
-    import pyogrio
-
-    before = {key: pyogrio.get_gdal_config_option(key) for key in values}
-    pyogrio.set_gdal_config_options(dict(values))
-    try:
-        yield
-    finally:
-        pyogrio.set_gdal_config_options(before)
 
 
 def _require_whole(name: str, layers: list[str], frames: list[gpd.GeoDataFrame]) -> None:
@@ -401,7 +355,7 @@ def _require_closed(place: Path) -> None:
 @contextlib.contextmanager
 def _fixed_date() -> Iterator[None]:
     """Fix the date inside files, and let SQLite keep its journal to itself: nobody else has the file open."""
-    with _settings({"OGR_CURRENT_DATE": FIXED_DATE, "OGR_SQLITE_JOURNAL": "MEMORY"}):
+    with vector_settings({"OGR_CURRENT_DATE": FIXED_DATE, "OGR_SQLITE_JOURNAL": "MEMORY"}):
         yield
 
 

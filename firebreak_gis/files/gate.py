@@ -10,7 +10,9 @@ from __future__ import annotations
 import contextlib
 import os
 import threading
+import warnings
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
@@ -107,6 +109,63 @@ def require_local(name: str, references: Iterable[str]) -> None:
                 f"{name} refers to {shortened(reference)}, which is no file on this machine; restore it if it is "
                 f"missing; if it is a network or archive address, {REMOTE_HELP}"
             )
+
+
+def require_local_vector(name: str, place: str) -> None:
+    """Refuse a vector file that only describes data elsewhere, also where a virtual file leads to one.
+
+    Call it inside `offline`.
+
+    Parameters
+    ----------
+    name
+        As the user wrote it.
+    place
+        Where it is.
+
+    Raises
+    ------
+    InputError
+        If it leads off this machine; errors of pyogrio if the file itself cannot be read.
+    """
+    import pyogrio
+    from pyogrio.errors import DataLayerError, DataSourceError
+
+    waiting, known = [place], set[str]()
+    while waiting:
+        inner = waiting.pop()
+        if (real := os.path.realpath(inner)) in known:
+            continue
+        known.add(real)
+        driver = ""
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", RuntimeWarning)  # of what cannot be reached
+                for layer, _ in pyogrio.list_layers(inner)[:1]:  # names of columns may be in any encoding
+                    driver = pyogrio.read_info(inner, layer=layer, encoding="ISO-8859-1")["driver"]
+        except (DataSourceError, DataLayerError):
+            if inner == place:
+                raise
+        whose = name if inner == place else f"{name} refers to {inner}, which"
+        require_file(whose, driver)
+        if driver == "OGR_VRT":
+            text = Path(inner).read_text(encoding="utf-8-sig", errors="replace")
+            more = [located(found, Path(inner).parent) for found in names_in(text, {"srcdatasource"})]
+            require_local(whose, more)
+            waiting += more
+
+
+@contextlib.contextmanager
+def vector_settings(values: Mapping[str, str]) -> Iterator[None]:
+    """Configure the GDAL of pyogrio for the length of a block."""
+    import pyogrio
+
+    before = {key: pyogrio.get_gdal_config_option(key) for key in values}
+    pyogrio.set_gdal_config_options(dict(values))
+    try:
+        yield
+    finally:
+        pyogrio.set_gdal_config_options(before)
 
 
 def names_in(text: str, elements: Container[str] | None = None) -> list[str]:
