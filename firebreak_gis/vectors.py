@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import io
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -45,6 +44,8 @@ _EXTENSIONS = frozenset(
 )
 #: Time stamp inside GeoPackages, the same in every run so that equal data give equal bytes.
 FIXED_DATE = "2000-01-01T00:00:00Z"
+#: Lets SQLite keep its journal to itself, too: nobody else has the file open.
+_WRITING: Mapping[str, str] = MappingProxyType({"OGR_CURRENT_DATE": FIXED_DATE, "OGR_SQLITE_JOURNAL": "MEMORY"})
 
 
 def is_vector(source: Any) -> bool:
@@ -352,13 +353,6 @@ def _require_closed(place: Path) -> None:
             )
 
 
-@contextlib.contextmanager
-def _fixed_date() -> Iterator[None]:
-    """Fix the date inside files, and let SQLite keep its journal to itself: nobody else has the file open."""
-    with vector_settings({"OGR_CURRENT_DATE": FIXED_DATE, "OGR_SQLITE_JOURNAL": "MEMORY"}):
-        yield
-
-
 def _encoded(gdf: gpd.GeoDataFrame, driver: str, layer: str) -> memoryview:
     """Return the bytes of a file with one layer."""
     memory = io.BytesIO()
@@ -382,7 +376,7 @@ def _write_ogr(
     if gdf.empty and driver != "GeoJSON":
         options["geometry_type"] = kind
     try:
-        with _fixed_date():
+        with vector_settings(_WRITING):
             gdf.to_file(target, driver=driver, engine="pyogrio", index=False, **options)
     except (DataSourceError, DataLayerError, FeatureError, FieldError, GeometryError) as error:
         raise OutputError(f"cannot write the layer {layer}: {error}; is the disk full?") from error
@@ -405,7 +399,7 @@ def _write_styles(part: Path, styles: Mapping[str, str]) -> None:
 
     rows = style_table(dict(styles), geometry="geom", date=FIXED_DATE)
     try:
-        with _fixed_date():
+        with vector_settings(_WRITING):
             pyogrio.write_dataframe(rows, part, layer="layer_styles", driver="GPKG")
     except (DataSourceError, DataLayerError, FeatureError, FieldError) as error:
         raise OutputError(f"cannot write the styles: {error}; is the disk full?") from error
