@@ -7,6 +7,7 @@ what was expected and what to do.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import ClassVar
 
 
@@ -90,3 +91,13 @@ class Cancelled(FirebreakError, RuntimeError):  # noqa: N818 - not an error of a
 
     exit_code = 130
     kind = "cancelled"
+
+
+def raise_together(problems: Sequence[FirebreakError]) -> None:
+    """Raise several errors as one that names them all: an `InputError` if one of them is, else a `ParameterError`."""
+    if len(problems) == 1:
+        raise problems[0]
+    if problems:
+        kind = InputError if any(isinstance(p, InputError) for p in problems) else ParameterError
+        listed = "; ".join(f"({k}) {problem}" for k, problem in enumerate(problems, start=1))
+        raise kind(f"{len(problems)} things stand in the way: {listed}")

@@ -16,6 +16,32 @@ if TYPE_CHECKING:
     Plane = np.ndarray | xr.DataArray
 
 
+@dataclass(frozen=True, eq=False)
+class StakePlanes:
+    """What a planner adds, as planes on the grid of one network; None where nothing is given.
+
+    Parameters
+    ----------
+    barriers
+        (rows, cols), above 0 on existing breaks, roads and rivers, see `with_barriers`.
+    cost, protected, value, ignition
+        As in `Stakes`.
+    """
+
+    barriers: Plane | None = None
+    cost: Plane | None = None
+    protected: Plane | None = None
+    value: Plane | None = None
+    ignition: Plane | None = None
+
+    def on(self, network: SpreadNetwork) -> tuple[SpreadNetwork, Stakes]:
+        """Put the barriers into a network, and the rest into its `Stakes`."""
+        if self.barriers is not None:
+            network = with_barriers(network, self.barriers)
+        stakes = Stakes(network, cost=self.cost, protected=self.protected, value=self.value, ignition=self.ignition)
+        return network, stakes
+
+
 @dataclass(frozen=True, eq=False, init=False)
 class Stakes:
     """Costs, protected cells, values at risk and ignitions on the grid of one network.

@@ -82,11 +82,6 @@ def read_points(source: Any, crs: Any) -> gpd.GeoDataFrame:
     return _read(source, crs, "points", {"Point"})
 
 
-def read_lines(source: Any, crs: Any) -> gpd.GeoDataFrame:
-    """Read all lines of all layers, multilines taken apart, reprojected to `crs`; as `read_points`."""
-    return _read(source, crs, "lines", {"LineString", "LinearRing"})
-
-
 def read_polygons(source: Any, crs: Any) -> gpd.GeoDataFrame:
     """Read all polygons of all layers, one row a feature, reprojected to `crs`; as `read_points`.
 

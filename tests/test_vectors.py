@@ -146,7 +146,7 @@ def test_frames_and_series_are_taken_and_not_changed():
 
 def test_lines_are_taken_apart_and_polygons_kept_whole():
     lines = gpd.GeoSeries([shapely.MultiLineString([[(0, 0), (9, 9)], [(5, 5), (6, 9)]])], crs=UTM)
-    assert len(vectors.read_lines(lines, UTM)) == 2
+    assert len(vectors.read_features(lines, UTM)) == 2
     areas = gpd.GeoSeries([shapely.MultiPolygon([shapely.box(0, 0, 1, 1), shapely.box(5, 5, 6, 6)])], crs=UTM)
     assert len(vectors.read_polygons(areas, UTM)) == 1
 

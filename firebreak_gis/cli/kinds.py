@@ -1,20 +1,26 @@
-"""What a command-line value is, beyond its being text: help pages and forms ask for the name."""
+"""What a command-line value is, beyond its being text: help pages and forms ask for the name, commands get the value.
+
+Every text is converted here, once, before the command starts. To add a kind: a function in `parsing` that reads the
+text, and a `Kind` (or, for options that may be repeated, a callback) here.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import click
 
 from firebreak_gis import plugins
+from firebreak_gis.cli import parsing
+from firebreak_gis.cli.requests import note
 from firebreak_gis.landscape import legends
 from firebreak_gis.landscape.continuity import CONTINUITY
 from firebreak_gis.schema import DENSITY
 
 
 class Kind(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in newer releases
-    """A value passed on as text.
+    """A value, read from text.
 
     Parameters
     ----------
@@ -24,15 +30,39 @@ class Kind(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
     choices
         Returns the words of `choice` and `choices`; asked only for descriptions, commands check by
         themselves.
+    read
+        Reads the text, given it and the flag for messages; without it the text is the value.
     """
 
-    def __init__(self, name: str, choices: Callable[[], Sequence[str]] | None = None) -> None:
+    def __init__(
+        self,
+        name: str,
+        choices: Callable[[], Sequence[str]] | None = None,
+        read: Callable[[Any, str], Any] | None = None,
+    ) -> None:
         self.name = name
         self.choices = choices
+        self._read = read
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:  # noqa: ARG002
-        """Return the value as it is."""
-        return value
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the value that the text stands for."""
+        if self._read is None:
+            return value
+        note(ctx, param, value)
+        return self._read(value, _flag(param))
+
+
+class Whole(click.types.IntParamType):
+    """A whole number with a least value."""
+
+    def __init__(self, least: int) -> None:
+        self._least = least
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        """Return the number."""
+        number = int(super().convert(value, param, ctx))
+        parsing.require_least(number, self._least, "number" if param is None else str(param.name))
+        return number
 
 
 class NewFile(click.Path):
@@ -43,16 +73,42 @@ class NewFile(click.Path):
         self.name = name
 
 
+def pairs(_: click.Context, param: click.Parameter, words: Any) -> dict[str, str]:
+    """Callback of options NAME=VALUE that may be repeated."""
+    return parsing.pairs(words, _flag(param))
+
+
+def _by_layer(read: Callable[[Any, str], Mapping[str, Any]]) -> Callable[[click.Context, click.Parameter, Any], Any]:
+    """Make the callback of options LAYER=VALUE that may be repeated."""
+
+    def callback(ctx: click.Context, param: click.Parameter, words: Any) -> Mapping[str, Any]:
+        note(ctx, param, words)
+        return read(words, _flag(param))
+
+    return callback
+
+
+def _flag(param: click.Parameter | None) -> str:
+    return "" if param is None else max(param.opts, key=len)
+
+
 CRS = Kind("crs")
 RASTER = Kind("raster")
-RASTER_OR_NUMBER = Kind("number|raster")
+RASTER_OR_NUMBER = Kind("number|raster", read=parsing.number_or_raster)
 VECTOR_OR_RASTER = Kind("vector|raster")
-COST = Kind("vector|raster|text")
+COST = Kind("vector|raster|text", read=parsing.cost)
 RASTER_OR_DENSITY = Kind("raster|choice", lambda: [*(word for code, word in DENSITY.items() if code), CONTINUITY])
 LEGEND = Kind("choice|file", legends.names)
 RANKING = Kind("choice", lambda: plugins.names("ranking"))
-RANKINGS = Kind("choices", lambda: plugins.names("ranking"))
+RANKINGS = Kind("choices", lambda: plugins.names("ranking"), parsing.methods_list)
 SPREAD = Kind("choice", lambda: plugins.names("spread"))
+NUMBERS = Kind("text", read=parsing.number_list)
+SIZE = Kind("text", read=parsing.byte_size)
+SEED = Whole(0)
+COUNT = Whole(1)
+LAYER_CRS = _by_layer(parsing.layer_crs)
+LAYER_NODATA = _by_layer(parsing.layer_numbers)
+LAYER_BAND = _by_layer(parsing.layer_band)
 NEW_RASTER = NewFile("new-raster")
 NEW_TABLE = NewFile("new-table")
 NEW_VECTOR = NewFile("new-vector")

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 import click
 
-from firebreak_gis.cli import kinds, parsing
+from firebreak_gis.cli import kinds
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.manifest import read_config
@@ -122,7 +122,10 @@ def dry_run(command: F) -> F:
 
 
 _max_memory = click.option(
-    "--max-memory", metavar="SIZE", help="Refuse work that needs more, e.g. 4GB [default: most of what there is]."
+    "--max-memory",
+    type=kinds.SIZE,
+    metavar="SIZE",
+    help="Refuse work that needs more, e.g. 4GB [default: most of what there is].",
 )
 
 
@@ -131,8 +134,8 @@ def fitting(work: str) -> Callable[[F], F]:
 
     def decorate(command: F) -> F:
         @functools.wraps(command)
-        def wrapper(*args: Any, max_memory: str | None, **kwargs: Any) -> Any:
-            _require_room(work, kwargs, parsing.byte_size(max_memory))
+        def wrapper(*args: Any, max_memory: int | None, **kwargs: Any) -> Any:
+            _require_room(work, kwargs, max_memory)
             return command(*args, **kwargs)
 
         return _max_memory(wrapper)  # type: ignore[return-value]
@@ -149,7 +152,7 @@ def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -
         rows, cols = read_header(source, band=1).shape
     except InputError:
         return  # the command says it better
-    names = [name for _, name, _ in parsing.methods_list(given["method_list"])] if "method_list" in given else []
+    names = [method.name for method in given.get("method_list", ())]
     names += [given["method"]] if "method" in given else []
     needed = memory.bytes_for(work, rows * cols, method=",".join(names))
     memory.require_memory(needed, f"firebreak {work} on {rows} x {cols} cells", max_memory=max_memory)
@@ -179,6 +182,7 @@ def overwrite(command: F) -> F:
         "--co",
         "creation_options",
         multiple=True,
+        callback=kinds.pairs,
         metavar="NAME=VALUE",
         help="Creation option of GDAL's COG driver, e.g. COMPRESS=ZSTD.",
     )(command)
@@ -230,16 +234,24 @@ def landscape(command: F) -> F:
         click.option(
             "--src-crs",
             multiple=True,
+            callback=kinds.LAYER_CRS,
             metavar="[LAYER=]CRS",
             help="The true CRS of dem, vegetation or density, or of all, where a file tells none or a wrong one.",
         ),
         click.option(
             "--src-nodata",
             multiple=True,
+            callback=kinds.LAYER_NODATA,
             metavar="LAYER=VALUES",
             help="Values that mean no data in dem, vegetation or density, e.g. dem=-9999,32767; may be repeated.",
         ),
-        click.option("--bidx", multiple=True, metavar="LAYER=BAND", help="Band to read of dem, vegetation or density."),
+        click.option(
+            "--bidx",
+            multiple=True,
+            callback=kinds.LAYER_BAND,
+            metavar="LAYER=BAND",
+            help="Band to read of dem, vegetation or density.",
+        ),
         click.option(
             "--unknown",
             type=click.Choice(["refuse", "nonburnable"]),
@@ -295,6 +307,7 @@ def spread(command: F) -> F:
             "--model-param",
             "model_params",
             multiple=True,
+            callback=kinds.pairs,
             metavar="NAME=VALUE",
             help="Parameter of the spread model, e.g. p0=0.5; may be repeated.",
         ),
@@ -327,6 +340,7 @@ def ranking(command: F) -> F:
             "--param",
             "method_params",
             multiple=True,
+            callback=kinds.pairs,
             metavar="NAME=VALUE",
             help="Parameter of the ranking, e.g. beta=0.5; may be repeated.",
         ),
@@ -337,7 +351,9 @@ def ranking(command: F) -> F:
 def fires(command: F) -> F:
     """--runs, --ignitions, --ignition-mode."""
     options = [
-        click.option("--runs", "n_runs", type=int, default=100, show_default=True, help="Number of simulated fires."),
+        click.option(
+            "--runs", "n_runs", type=kinds.COUNT, default=100, show_default=True, help="Number of simulated fires."
+        ),
         click.option(
             "--ignitions",
             type=kinds.VECTOR_OR_RASTER,
@@ -368,7 +384,7 @@ def ignition_map(command: F) -> F:
 
 def seed(command: F) -> F:
     """--seed."""
-    return click.option("--seed", type=int, default=0, show_default=True, help="Seed of all draws.")(command)
+    return click.option("--seed", type=kinds.SEED, default=0, show_default=True, help="Seed of all draws.")(command)
 
 
 def budget(command: F) -> F:

@@ -2,25 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any, NamedTuple
 
 from firebreak_gis import plugins
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.rasters import file_of
+
+#: The layers of a landscape, as the command line names them.
+LAYERS = ("dem", "vegetation", "density")
 
 
-def pairs(values: tuple[str, ...] | Mapping[str, Any], option: str) -> dict[str, Any]:
-    """Split NAME=VALUE words; a mapping (from --config) passes.
+class Method(NamedTuple):
+    """One of several rankings: what it is called, its plug-in, its parameters."""
+
+    label: str
+    name: str
+    params: dict[str, Any]
+
+
+def pairs(words: Iterable[str], option: str) -> dict[str, str]:
+    """Split NAME=VALUE words.
 
     Raises
     ------
     ParameterError
         If a word has no "=".
     """
-    if isinstance(values, Mapping):
-        return dict(values)
     result = {}
-    for word in values:
+    for word in words:
         name, equals, value = word.partition("=")
         if not equals or not name:
             raise ParameterError(f"{option} got {word!r}, expected NAME=VALUE")
@@ -28,16 +39,16 @@ def pairs(values: tuple[str, ...] | Mapping[str, Any], option: str) -> dict[str,
     return result
 
 
-def methods_list(text: str) -> list[tuple[str, str, dict[str, Any]]]:
-    """Split "bonacich:beta=0.2,random" into (label, method, parameters)."""
+def methods_list(text: str, option: str = "--methods") -> list[Method]:
+    """Split "bonacich:beta=0.2,random" into methods."""
     result = []
     for word in filter(None, (w.strip() for w in text.split(","))):
         name, *params = word.split(":")
         plugins.load("ranking", name)
-        result.append((word, name, pairs(tuple(params), "--methods")))
-    labels = [label for label, _, _ in result]
+        result.append(Method(word, name, pairs(params, option)))
+    labels = [method.label for method in result]
     if not result or len(set(labels)) != len(labels):
-        raise ParameterError(f"--methods got {text!r}, expected different names such as bonacich:beta=0.5,random")
+        raise ParameterError(f"{option} got {text!r}, expected different names such as bonacich:beta=0.5,random")
     return result
 
 
@@ -58,14 +69,13 @@ def number_list(text: Any, option: str) -> list[float]:
     return numbers
 
 
-def checked_seed(value: int) -> int:
-    """Refuse a negative seed."""
-    if value < 0:
-        raise ParameterError(f"--seed is {value}, expected a whole number of at least 0")
-    return value
+def require_least(number: int, least: int, name: str) -> None:
+    """Refuse a whole number that is too small."""
+    if number < least:
+        raise ParameterError(f"{name} is {number}, expected a whole number of at least {least}")
 
 
-def byte_size(text: str | None) -> int | None:
+def byte_size(text: str | None, option: str = "--max-memory") -> int | None:
     """Read "4GB", "800 MiB" or a number of bytes.
 
     Raises
@@ -82,5 +92,54 @@ def byte_size(text: str | None) -> int | None:
     except (ValueError, OverflowError):
         size = 0
     if size <= 0:
-        raise ParameterError(f"--max-memory got {text!r}, expected a size such as 4GB")
+        raise ParameterError(f"{option} got {text!r}, expected a size such as 4GB")
     return size
+
+
+def number_or_raster(value: Any, _: str = "") -> float | str:
+    """Read a number; anything else must name a raster that exists."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        if not Path(file_of(str(value))).exists():
+            raise ParameterError(f"{value!r} is neither a number nor a raster that exists") from None
+        return str(value)
+
+
+def cost(text: str, _: str = "") -> str | dict[str, float]:
+    """Read costs: a name, or rates by class such as "agricultural=500,shrubs=900,pines=1500"."""
+    from firebreak_gis.landscape.stake_layers import rates_by_class
+
+    return rates_by_class(text) if "=" in text else text
+
+
+def layer_crs(words: Iterable[str], _: str = "") -> dict[str, str]:
+    """Read LAYER=CRS words; a word without a layer (its CRS may hold "=" itself, as +proj=utm) is for all."""
+    result: dict[str, str] = {}
+    for word in words:
+        layer, _, crs = str(word).partition("=")
+        result.update({layer: crs} if layer in LAYERS else dict.fromkeys(LAYERS, str(word)))
+    return result
+
+
+def layer_numbers(words: Iterable[str], option: str) -> dict[str, list[float]]:
+    """Read LAYER=VALUE,VALUE words; what is given twice for a layer is added up."""
+    return _layer_values(words, option, float)
+
+
+def layer_band(words: Iterable[str], option: str) -> dict[str, int]:
+    """Read LAYER=BAND words; of those given twice for a layer the last one counts."""
+    return {layer: numbers[-1] for layer, numbers in _layer_values(words, option, int).items()}
+
+
+def _layer_values(words: Iterable[str], option: str, kind: type) -> dict[str, list[Any]]:
+    result: dict[str, list[Any]] = {}
+    for word in words:
+        ((layer, text),) = pairs((word,), option).items()
+        if layer not in LAYERS:
+            raise ParameterError(f"{option} names {layer!r}, expected dem, vegetation or density")
+        try:
+            result.setdefault(layer, []).extend(kind(value) for value in str(text).split(","))
+        except ValueError:
+            raise ParameterError(f"{option} {layer} is {text!r}, expected a number") from None
+    return result

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Mapping, Sequence
-from dataclasses import fields
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from firebreak_gis import memory, plugins
-from firebreak_gis.cli import parsing
-from firebreak_gis.cli.layers import LAYERS, WEATHER, grid_options, weather
 from firebreak_gis.cli.session import Session
-from firebreak_gis.errors import InputError, OutputError, ParameterError
+from firebreak_gis.errors import InputError, OutputError
 from firebreak_gis.rasters import file_of, files_behind
+
+if TYPE_CHECKING:
+    from firebreak_gis.files.request import OutputRequest
+    from firebreak_gis.landscape import Survey
+    from firebreak_gis.landscape.request import LandscapeRequest
+    from firebreak_gis.planning.request import PlanRequest
 
 #: Bytes a cell that the layers and all rasters of a plan take on the disk uncompressed, overviews included.
 _LAYER_BYTES, _PLAN_BYTES = 8, 32
@@ -23,26 +27,64 @@ _OTHER_BYTES = 4_000_000
 _COMPRESSION = 4
 
 
+@dataclass(frozen=True)
+class Foreseen:
+    """What is known of a run before any value is read.
+
+    Parameters
+    ----------
+    survey
+        Layers, legends and grid.
+    memory, memory_limit, disk, disk_free
+        Bytes needed and there.
+    files
+        Paths that will be written.
+    """
+
+    survey: Survey
+    memory: int
+    memory_limit: int
+    disk: int
+    disk_free: int
+    files: tuple[str, ...]
+
+    def told(self) -> dict[str, Any]:
+        """All of it as plain data."""
+        rows, cols = self.survey.grid.shape
+        return {
+            "grid": self.survey.grid.describe(),
+            "cells": rows * cols,
+            "legend": self.survey.legend.name,
+            "alignment": self.survey.account.alignment,
+            "warnings": self.survey.account.warnings,
+            "memory_bytes": self.memory,
+            "memory_limit_bytes": self.memory_limit,
+            "disk_bytes": self.disk,
+            "disk_free_bytes": self.disk_free,
+            "files": list(self.files),
+        }
+
+
 def foresee(
-    given: Mapping[str, Any], session: Session, outputs: Sequence[str], *, method: str | None = None
-) -> dict[str, Any]:
+    layers: LandscapeRequest,
+    output: OutputRequest,
+    session: Session,
+    names: Sequence[str],
+    *,
+    method: str | None = None,
+) -> Foreseen:
     """Resolve the grid from the headers; refuse what will fit neither into memory nor on the disk.
 
     Parameters
     ----------
-    given
-        Options of `align` or `plan`.
+    layers, output
+        What `align` or `plan` is asked.
     session
         Gets a warning where the disk may not suffice.
-    outputs
+    names
         Names of the files in the output folder.
     method
         Ranking of a plan; None if layers are only aligned.
-
-    Returns
-    -------
-    dict
-        What --dry-run shows.
 
     Raises
     ------
@@ -55,46 +97,42 @@ def foresee(
     """
     from firebreak_gis.landscape import survey
 
-    found = survey(*(given[name] for name in LAYERS), **grid_options(given))
+    found = survey(layers)
     rows, cols = found.grid.shape
     needed = memory.bytes_for("align", 0) + found.memory
     if method is not None:
         needed = max(needed, memory.bytes_for("plan", rows * cols, method=method))
-    limit = parsing.byte_size(given["max_memory"])
     what = f"a landscape of {rows} x {cols} cells" if method is None else f"a plan of {rows} x {cols} cells by {method}"
-    memory.require_memory(needed, what, max_memory=limit)
+    memory.require_memory(needed, what, max_memory=layers.max_memory)
     size = (_LAYER_BYTES if method is None else _PLAN_BYTES) * rows * cols + _OTHER_BYTES
-    return {
-        "grid": found.grid.describe(),
-        "cells": rows * cols,
-        "legend": found.legend.name,
-        "alignment": found.account.alignment,
-        "warnings": found.account.warnings,
-        "memory_bytes": needed,
-        "memory_limit_bytes": memory.allowed(limit),
-        "disk_bytes": size,
-        "disk_free_bytes": _require_disk(Path(given["output"]), size, session),
-        "files": [str(Path(given["output"]) / name) for name in outputs],
-    }
+    return Foreseen(
+        found,
+        needed,
+        memory.allowed(layers.max_memory),
+        size,
+        _require_disk(Path(output.output), size, session),
+        tuple(str(Path(output.output) / name) for name in names),
+    )
 
 
-def rehearse(plan: Mapping[str, Any], session: Session) -> None:
+def rehearse(foreseen: Foreseen, session: Session) -> None:
     """Show what --dry-run found out; nothing is written."""
-    for sentence in plan["alignment"]:
+    account = foreseen.survey.account
+    for sentence in account.alignment:
         session.say(sentence)
-    for sentence in plan["warnings"]:
+    for sentence in account.warnings:
         session.warn(sentence)
     lines = [
-        f"grid    {plan['grid']}",
-        f"memory  about {memory.size(plan['memory_bytes'])} of {memory.size(plan['memory_limit_bytes'])} allowed",
-        f"disk    at most {memory.size(plan['disk_bytes'])} of {memory.size(plan['disk_free_bytes'])} free",
-        *(f"writes  {path}" for path in plan["files"]),
+        f"grid    {foreseen.survey.grid.describe()}",
+        f"memory  about {memory.size(foreseen.memory)} of {memory.size(foreseen.memory_limit)} allowed",
+        f"disk    at most {memory.size(foreseen.disk)} of {memory.size(foreseen.disk_free)} free",
+        *(f"writes  {path}" for path in foreseen.files),
         "Nothing was read but headers, and nothing was written.",
     ]
-    session.finish(plan, "\n".join(lines))
+    session.finish(foreseen.told(), "\n".join(lines))
 
 
-def require_possible(given: Mapping[str, Any]) -> None:
+def require_possible(request: PlanRequest) -> None:
     """Refuse parameters of a plan that cannot be, before hours of work.
 
     Raises
@@ -104,28 +142,21 @@ def require_possible(given: Mapping[str, Any]) -> None:
     InputError
         If a file that an option names does not exist.
     """
-    from firebreak_gis.breaks import Budget
     from firebreak_gis.network import checked_residual
 
-    parsing.checked_seed(given["seed"])
-    if given["n_runs"] < 1:
-        raise ParameterError(f"n_runs is {given['n_runs']}, expected a whole number of at least 1")
-    checked_residual(given["residual"])
-    if given["budget_unit"] == "share":
-        Budget(given["budget"]).require()
-    plugins.build_params(plugins.load("ranking", given["method"]), given["method_params"])
-    numbers = {WEATHER[option]: value for option, value in weather(given).items() if isinstance(value, float)}
-    model = plugins.load("spread", given["model"])
-    known = {f.name for f in fields(model.Params)}
-    plugins.build_params(model, {k: v for k, v in numbers.items() if k in known} | dict(given["model_params"]))
-    for option in ("ignitions", "barriers", "protected", "allowed", "values"):
-        name = given[option]
+    checked_residual(request.fires.residual)
+    if request.design.budget_unit == "share":
+        request.design.amount.require()
+    plugins.build_params(plugins.load("ranking", request.design.method), request.design.method_params)
+    request.spread.require()
+    named = {"ignitions": request.fires.ignitions, **request.stakes.layers}
+    for option, name in named.items():
         if name and not Path(file_of(name)).exists():
             folder = Path(name).absolute().parent
             raise InputError(f"--{option} {name} does not exist; check the name and the folder {folder}")
 
 
-def require_outputs(given: Mapping[str, Any], outputs: Sequence[str], inputs: Sequence[str]) -> None:
+def require_outputs(output: OutputRequest, names: Sequence[str], inputs: Sequence[str]) -> None:
     """Refuse outputs that must not be written, without making their folder.
 
     Raises
@@ -135,10 +166,10 @@ def require_outputs(given: Mapping[str, Any], outputs: Sequence[str], inputs: Se
     """
     from firebreak_gis.files import require_writable
 
-    folder, inputs = Path(given["output"]), files_behind(inputs)
+    folder, inputs = Path(output.output), files_behind(inputs)
     if folder.is_dir():
-        for name in outputs:
-            require_writable(folder / name, overwrite=given["overwrite"], forbid=inputs)
+        for name in names:
+            require_writable(folder / name, overwrite=output.overwrite, forbid=inputs)
         return
     # The nearest folder that there is must take a new one.
     require_writable(_standing(folder) / f"{folder.name}.new", forbid=inputs)

@@ -10,8 +10,8 @@ import numpy as np
 
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
-from firebreak_gis.simulation.fires import burn_curve
-from firebreak_gis.simulation.ignitions import IgnitionMode
+from firebreak_gis.simulation.fires import burn_budgets
+from firebreak_gis.simulation.request import FireRequest, IgnitionMode
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -64,24 +64,41 @@ def evaluate(
     ParameterError, InputError, GridError
         As `summarise` and `simulate`; the baseline is looked for before the first fire.
     """
+    request = FireRequest(ignitions, ignition_mode, n_runs, seed)
+    return evaluate_fires(
+        network,
+        priorities,
+        request,
+        budgets=budgets,
+        baseline=baseline,
+        test=test,
+        alpha=alpha,
+        threads=threads,
+        progress=progress,
+    )
+
+
+def evaluate_fires(
+    network: SpreadNetwork,
+    priorities: Mapping[str, np.ndarray | xr.DataArray],
+    request: FireRequest,
+    *,
+    budgets: Sequence[float] | np.ndarray,
+    baseline: str = "random",
+    test: Test = "wilcoxon",
+    alpha: float = 0.01,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Judge rankings on the fires of a request; all else as in `evaluate`."""
     _require_choice(priorities, baseline, test)
     shares = {}
     for i, (name, priority) in enumerate(priorities.items()):
         step = part(progress, i / len(priorities), (i + 1) / len(priorities), f"{name}: ")
-        burnt = burn_curve(
-            network,
-            priority,
-            budgets=budgets,
-            ignitions=ignitions,
-            ignition_mode=ignition_mode,
-            n_runs=n_runs,
-            seed=seed,
-            threads=threads,
-            progress=step,
-        )
+        burnt = burn_budgets(network, priority, request, budgets=budgets, threads=threads, progress=step)
         shares[name] = burnt.to_numpy() / max(network.n_burnable, 1)
     result = summarise(shares, budgets=budgets, baseline=baseline, test=test, alpha=alpha)
-    return result.assign_attrs(n_burnable=network.n_burnable, n_runs=n_runs, seed=seed)
+    return result.assign_attrs(n_burnable=network.n_burnable, n_runs=request.n_runs, seed=request.seed)
 
 
 def summarise(

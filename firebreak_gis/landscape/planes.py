@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,13 +12,11 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.alignment import align_values
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.rasters import header_of_array, read_header, require_georeferenced
+from firebreak_gis.vectors import is_vector, read_features, read_polygons
 
 if TYPE_CHECKING:
     import geopandas as gpd
     import xarray as xr
-
-#: Extensions of vector files; anything else is opened as a raster.
-VECTORS = (".gpkg", ".shp", ".geojson", ".json", ".fgb", ".parquet", ".kml", ".gml", ".sqlite")
 
 Source = str | os.PathLike[str] | Any
 
@@ -51,9 +48,7 @@ def value_plane(source: Source, grid: Grid, *, what: str, field: str | None = No
     InputError
         If the source cannot be read or lies elsewhere, or `field` is missing or holds no numbers.
     """
-    if _is_vector(source):
-        from firebreak_gis.vectors import read_polygons
-
+    if is_vector(source):
         return _burn_in(read_polygons(source, grid.crs), grid, what, field, fill, all_touched=False)
     values = _raster(source, grid, what)
     if not np.isfinite(values).any():
@@ -81,10 +76,8 @@ def mask_plane(source: Source, grid: Grid, *, what: str, touched: bool = False) 
     numpy.ndarray
         (rows, cols) bool.
     """
-    if not _is_vector(source):
+    if not is_vector(source):
         return np.asarray(np.nan_to_num(_raster(source, grid, what)) > 0)
-    from firebreak_gis.vectors import read_features
-
     frame = read_features(source, grid.crs)
     is_line = ~frame.geometry.geom_type.str.contains("Polygon")
     mask = np.zeros(grid.shape, dtype=bool)
@@ -137,7 +130,7 @@ def ignition_source(source: Source | None, grid: Grid) -> Any:
     grid
         The grid of the network.
     """
-    if source is None or _is_vector(source):
+    if source is None or is_vector(source):
         return source
     return value_plane(source, grid, what="ignitions")
 
@@ -167,12 +160,6 @@ def moisture_plane(source: Source | float, grid: Grid) -> Any:
             "if it is in percent, set the scale: gdal_edit.py -scale 0.01 FILE"
         )
     return plane
-
-
-def _is_vector(source: Source) -> bool:
-    if hasattr(source, "geometry"):
-        return True
-    return isinstance(source, (str, os.PathLike)) and Path(source).suffix.lower() in VECTORS
 
 
 def _require_whole(name: str, plane: Any) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,7 +13,8 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.fuel import Fuel, burnable_cells, fuel_of
 from firebreak_gis.landscape.layers import codes_on, elevation_on
 from firebreak_gis.landscape.legends import Legend
-from firebreak_gis.landscape.surveying import survey
+from firebreak_gis.landscape.request import LandscapeRequest, Unknown
+from firebreak_gis.landscape.surveying import Survey, survey
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.memory import require_memory
 from firebreak_gis.progress import Progress, silent
@@ -37,7 +38,7 @@ def read_landscape(
     src_crs: Mapping[str, Any] | None = None,
     src_nodata: Mapping[str, float | Sequence[float]] | None = None,
     band: Mapping[str, int] | None = None,
-    unknown: Literal["refuse", "nonburnable"] = "refuse",
+    unknown: Unknown = "refuse",
     strict: bool = False,
     remote: bool = False,
     max_memory: int | None = None,
@@ -105,10 +106,7 @@ def read_landscape(
     -----
     Memory at the peak: at most 65 B a cell of the grid, beside the part of a layer that is read at once.
     """
-    report = progress or silent
-    if unknown not in ("refuse", "nonburnable"):
-        raise ParameterError(f"unknown is {unknown!r}, expected refuse or nonburnable")
-    found = survey(
+    request = LandscapeRequest(
         dem,
         vegetation,
         density,
@@ -118,14 +116,41 @@ def read_landscape(
         resolution=resolution,
         bounds=bounds,
         like=like,
-        src_crs=src_crs,
-        src_nodata=src_nodata,
-        band=band,
+        src_crs=src_crs or {},
+        src_nodata=src_nodata or {},
+        bidx=band or {},
+        unknown=unknown,
         strict=strict,
         remote=remote,
+        max_memory=max_memory,
     )
+    return read_surveyed(request, survey(request), progress=progress)
+
+
+def read_surveyed(request: LandscapeRequest, found: Survey, *, progress: Progress | None = None) -> xr.Dataset:
+    """Read the layers of a survey, which is used up: its account goes on.
+
+    Parameters
+    ----------
+    request
+        What was asked.
+    found
+        What `surveying.survey` found for it.
+    progress
+        Called with the share done and a text.
+
+    Returns
+    -------
+    xarray.Dataset
+        As `read_landscape` returns it, and raises.
+    """
+    report = progress or silent
+    unknown = request.unknown
+    if unknown not in ("refuse", "nonburnable"):
+        raise ParameterError(f"unknown is {unknown!r}, expected refuse or nonburnable")
     layers, grid, account = found.layers, found.grid, found.account
-    require_memory(found.memory, f"a landscape of {grid.shape[0]} x {grid.shape[1]} cells", max_memory=max_memory)
+    what = f"a landscape of {grid.shape[0]} x {grid.shape[1]} cells"
+    require_memory(found.memory, what, max_memory=request.max_memory)
 
     report(0.1, "elevation")
     elevation = elevation_on(layers["elevation"], grid, account)

@@ -13,12 +13,14 @@ from firebreak_gis.landscape.alignment import plan
 from firebreak_gis.landscape.continuity import CONTINUITY
 from firebreak_gis.landscape.flammap import LandscapeFile, read_landscape_file
 from firebreak_gis.landscape.legends import Legend, read_legend
+from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.resampling import BLOCK
 from firebreak_gis.landscape.target_grid import Account, choose_grid
 from firebreak_gis.rasters import Header, header_of_array, read_header, with_crs
 from firebreak_gis.schema import DENSITY
 
-#: The legends where nothing else is said, and for the canopy cover of a landscape file.
+#: The legends where nothing else is said (as `LandscapeRequest` has them), and for the canopy cover of a landscape
+#: file.
 USUAL, USUAL_DENSITY, CANOPY = "paper", "density", "canopy_cover"
 
 
@@ -53,43 +55,36 @@ class Survey:
         return memory_needed(self.layers, self.grid)
 
 
-def survey(
-    dem: Any,
-    vegetation: Any = None,
-    density: Any = None,
-    *,
-    legend: Any = USUAL,
-    density_legend: Any = USUAL_DENSITY,
-    crs: Any = None,
-    resolution: float | None = None,
-    bounds: tuple[float, float, float, float] | None = None,
-    like: Any = None,
-    src_crs: Mapping[str, Any] | None = None,
-    src_nodata: Mapping[str, Any] | None = None,
-    band: Mapping[str, int] | None = None,
-    strict: bool = False,
-    remote: bool = False,
-) -> Survey:
-    """Read headers and legends and choose the grid; parameters as in `read_landscape`.
+def survey(request: LandscapeRequest) -> Survey:
+    """Read headers and legends and choose the grid.
 
     Raises
     ------
     InputError, ParameterError
         As `read_landscape`, for all that can be known without reading a value.
     """
-    account = Account(strict=strict)
-    band = dict(band or {})
+    account = Account(strict=request.strict)
+    vegetation, density = request.vegetation, request.density
+    legend, density_legend = request.legend, request.density_legend
+    band = dict(request.bidx)
     if vegetation is None:
-        found = read_landscape_file(dem, remote=remote)
-        vegetation = dem
-        density, legend, density_legend = _of_file(found, dem, density, legend, density_legend, band, account)
+        found = read_landscape_file(request.dem, remote=request.remote)
+        vegetation = request.dem
+        density, legend, density_legend = _of_file(found, request.dem, density, legend, density_legend, band, account)
     table, density_table = _legends(legend, density_legend, density)
     word = density if isinstance(density, str) and density in (*DENSITY.values(), CONTINUITY) else None
-    sources = {"elevation": dem, "vegetation": vegetation}
+    sources = {"elevation": request.dem, "vegetation": vegetation}
     if density is not None and word is None:
         sources["density"] = density
-    layers = _headers(sources, src_crs or {}, src_nodata or {}, band, remote)
-    grid = choose_grid(layers, account, crs=crs, resolution=resolution, bounds=bounds, like=like)
+    layers = _headers(sources, request.src_crs, request.src_nodata, band, request.remote)
+    grid = choose_grid(
+        layers,
+        account,
+        crs=request.crs,
+        resolution=request.resolution,
+        bounds=request.bounds or None,
+        like=request.like,
+    )
     return Survey(layers, grid, table, density_table, word, account)
 
 

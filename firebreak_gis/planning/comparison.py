@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,14 +12,14 @@ from firebreak_gis.breaks import Budget, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.progress import Progress, part, silent
-from firebreak_gis.simulation.fires import burn_curve, simulate
-from firebreak_gis.simulation.ignitions import IgnitionMode
+from firebreak_gis.simulation.fires import burn, burn_budgets, resolved
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.simulation.request import FireRequest
 
 #: Added to the seed of the design, so that no plan is judged on fires that it has seen.
 FRESH = 7919
@@ -29,14 +30,11 @@ Ranker = Callable[[float, float, Progress], "np.ndarray | xr.DataArray"]
 def compare_plans(
     network: SpreadNetwork,
     priorities: Mapping[str, np.ndarray | xr.DataArray | Ranker],
+    fires: FireRequest,
     *,
     budgets: Sequence[float],
     residuals: Sequence[float] = (0.0, 0.05, 0.1),
     value: np.ndarray | None = None,
-    ignitions: Any = None,
-    ignition_mode: IgnitionMode = "each",
-    n_runs: int = 200,
-    seed: int = 0,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
@@ -49,16 +47,17 @@ def compare_plans(
     priorities
         By label: a priority raster, or a function ``(budget, residual, progress)`` that returns the one of the plan
         for them; where it returns the same object it has the same plan.
+    fires
+        What is burnt. Its seed is that of the designs, the fires are drawn with another one; its leak gives way to
+        `residuals`.
     budgets
         Shares d_f of the cells that hold fuel.
     residuals
         Shares of its spread probability that a treated cell keeps; 0 is a perfect break.
     value
         (rows, cols) value lost when the cell burns; without it every cell counts 1.
-    ignitions, ignition_mode, n_runs, threads, progress
+    threads, progress
         As in `simulate`.
-    seed
-        Seed of the design; the fires are drawn with another one.
 
     Returns
     -------
@@ -78,16 +77,11 @@ def compare_plans(
     if not budgets or not residuals:
         raise ParameterError("give at least one budget and one residual")
     report = progress or silent
-    fires: dict[str, Any] = {
-        "ignitions": ignitions,
-        "ignition_mode": ignition_mode,
-        "n_runs": n_runs,
-        "seed": seed + FRESH,
-        "threads": threads,
-    }
+    fresh = replace(fires, seed=fires.seed + FRESH)
+    fresh = replace(fresh, ignitions=resolved(network, fresh))
     worth = network.burnable.astype(np.float64) if value is None else value
-    untreated = simulate(network, value=worth, progress=part(report, 0.0, 0.02, "untreated: "), **fires)
-    shape = (len(priorities), len(budgets), len(residuals), n_runs)
+    untreated = burn(network, fresh, value=worth, threads=threads, progress=part(report, 0.0, 0.02, "untreated: "))
+    shape = (len(priorities), len(budgets), len(residuals), fires.n_runs)
     burnt, lost = np.zeros(shape), np.zeros(shape)
     steps = [(i, j) for i in range(len(priorities)) for j in range(len(residuals))]
     for n, (i, j) in enumerate(steps):
@@ -101,7 +95,13 @@ def compare_plans(
             for k, b in enumerate(budgets)
         ]
         burnt[i, :, j], lost[i, :, j] = _burn(
-            network, ranked, budgets, residual, None if value is None else worth, part(step, 0.6, 1.0), fires
+            network,
+            ranked,
+            budgets,
+            replace(fresh, residual=residual),
+            None if value is None else worth,
+            threads,
+            part(step, 0.6, 1.0),
         )
     cut = [Budget(b).cells(n_burnable=network.n_burnable) for b in budgets]
     dims = ("ranking", "budget", "residual", "run")
@@ -117,8 +117,8 @@ def compare_plans(
         attrs={
             "n_burnable": network.n_burnable,
             "cell_area_ha": network.grid.cell_area_ha,
-            "n_runs": n_runs,
-            "fire_seed": seed + FRESH,
+            "n_runs": fires.n_runs,
+            "fire_seed": fresh.seed,
         },
     )
 
@@ -127,30 +127,31 @@ def _burn(
     network: SpreadNetwork,
     ranked: list[Any],
     budgets: Sequence[float],
-    residual: float,
+    fires: FireRequest,
     value: np.ndarray | None,
+    threads: int | None,
     progress: Progress,
-    fires: Mapping[str, Any],
 ) -> tuple[np.ndarray, np.ndarray]:
     """Cells burnt and value lost, (n_budgets, n_runs) each, under the ranking of every budget."""
-    shape = (len(budgets), int(fires["n_runs"]))
+    shape = (len(budgets), fires.n_runs)
     burnt, lost = np.zeros(shape), np.zeros(shape)
-    if residual == 0.0 and value is None:
+    if fires.residual == 0.0 and value is None:
         for k, first in enumerate(ranked):
             same = [m for m, other in enumerate(ranked) if other is first]
             if same[0] == k:
                 span = part(progress, k / len(budgets), (k + len(same)) / len(budgets))
                 some = [budgets[m] for m in same]
-                burnt[same] = burn_curve(network, first, budgets=some, progress=span, **fires).to_numpy().T
+                curve = burn_budgets(network, first, fires, budgets=some, threads=threads, progress=span)
+                burnt[same] = curve.to_numpy().T
         return burnt, burnt
     for k, (priority, budget) in enumerate(zip(ranked, budgets, strict=True)):
-        run = simulate(
+        run = burn(
             network,
+            fires,
             breaks=select_breaks(priority, budget=budget, burnable=network.burnable),
-            residual=residual,
             value=value,
+            threads=threads,
             progress=part(progress, k / len(budgets), (k + 1) / len(budgets)),
-            **fires,
         )
         burnt[k] = run["fire_size"]
         lost[k] = run["fire_size"] if value is None else run["value_lost"]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.errors import FirebreakError, InputError, ParameterError
+from firebreak_gis.errors import FirebreakError, ParameterError, raise_together
 from firebreak_gis.network import checked_residual
 
 if TYPE_CHECKING:
@@ -40,16 +40,6 @@ class Feasibility:
     def require(self) -> None:
         """Raise all problems as one error, if there are any."""
         raise_together(self.problems)
-
-
-def raise_together(problems: Sequence[FirebreakError]) -> None:
-    """Raise several errors as one that names them all: an `InputError` if one of them is, else a `ParameterError`."""
-    if len(problems) == 1:
-        raise problems[0]
-    if problems:
-        kind = InputError if any(isinstance(p, InputError) for p in problems) else ParameterError
-        listed = "; ".join(f"({k}) {problem}" for k, problem in enumerate(problems, start=1))
-        raise kind(f"{len(problems)} things stand in the way: {listed}")
 
 
 def width_in_cells(width: float | None, cell_size: float) -> int:

@@ -118,7 +118,7 @@ def _write_layers(
     overwrite: bool,
     report: Progress,
 ) -> list[Path]:
-    tags = provenance(recorded, seed=int(result.parameters["seed"]))
+    tags = provenance(recorded, seed=result.request.fires.seed)
     rasters: dict[str, xr.DataArray] = {
         "priority.tif": result.priority,
         "breaks.tif": result.breaks,
@@ -154,7 +154,7 @@ def _write_tables(result: Plan, target: Path, overwrite: bool, report: Progress)
         result.after,
         result.evaluation,
         title=_headline(result),
-        budget=float(result.parameters["d_f"]),
+        budget=float(result.share),
     )
     save(figure, target / "overview.png", overwrite=overwrite)
     return [target / name for name in PLAN_FILES if not name.endswith(".tif") and name != "run.json"]
@@ -163,8 +163,8 @@ def _write_tables(result: Plan, target: Path, overwrite: bool, report: Progress)
 def _headline(result: Plan) -> str:
     summary = result.summary
     return (
-        f"Fire breaks by {result.parameters['method']}: "
-        f"{100 * result.parameters['d_f']:.3g} % of the fuel cut ({summary['ha_cut']:,.0f} ha), "
+        f"Fire breaks by {result.request.design.method}: "
+        f"{100 * result.share:.3g} % of the fuel cut ({summary['ha_cut']:,.0f} ha), "
         f"mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % "
         f"\N{RIGHTWARDS ARROW} {100 * summary['burnt_share_with_breaks']:.1f} %"
     )

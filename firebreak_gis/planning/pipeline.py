@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,16 +11,20 @@ import numpy as np
 from firebreak_gis.breaks import Budget, BudgetUnit, break_polygons, removal_order, select_breaks
 from firebreak_gis.construction.compartments import compartments
 from firebreak_gis.construction.segments import segments
-from firebreak_gis.evaluation.curves import evaluate
+from firebreak_gis.evaluation.curves import evaluate_fires
 from firebreak_gis.evaluation.measures import judge, resamples
+from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.weather import SpreadRequest
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
+from firebreak_gis.planning.request import DesignRequest, PlanRequest
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
-from firebreak_gis.simulation.fires import simulate
-from firebreak_gis.simulation.ignitions import IgnitionMode, resolve_ignitions
+from firebreak_gis.simulation.fires import burn, resolved
+from firebreak_gis.simulation.ignitions import Ignitions
+from firebreak_gis.simulation.request import FireRequest, IgnitionMode
 from firebreak_gis.spread import spread_network
-from firebreak_gis.stakes import Stakes, with_barriers
+from firebreak_gis.stakes import StakePlanes, Stakes
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -53,8 +57,10 @@ class Plan:
         Burns of the same fires without and with the breaks, as `simulate` returns them.
     evaluation
         R(d_f) of the ranking and the baselines, as `evaluate` returns it.
-    parameters
+    request
         What was asked for.
+    share
+        Share of the cells with fuel that is cut.
     feasibility
         What could be reached.
     """
@@ -67,8 +73,28 @@ class Plan:
     before: xr.Dataset
     after: xr.Dataset
     evaluation: xr.Dataset
-    parameters: Mapping[str, Any]
+    request: PlanRequest
+    share: float
     feasibility: Feasibility
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """What was asked for, as plain data for an account of the plan."""
+        design, spread, fires = self.request.design, self.request.spread, self.request.fires
+        return {
+            "budget": design.budget,
+            "budget_unit": design.budget_unit,
+            "d_f": self.share,
+            "method": design.method,
+            "method_params": dict(design.method_params),
+            "model": spread.model,
+            "model_params": dict(spread.model_params),
+            "width": design.width,
+            "residual": fires.residual,
+            "refine": design.refine,
+            "n_runs": fires.n_runs,
+            "seed": fires.seed,
+        }
 
     @property
     def polygons(self) -> gpd.GeoDataFrame:
@@ -117,7 +143,7 @@ class Plan:
         n_burnable = self.network.n_burnable
         before, after = self.before["fire_size"].to_numpy(), self.after["fire_size"].to_numpy()
         area = self.network.grid.cell_area_ha
-        chosen = self.evaluation.sel(ranking=self.parameters["method"], budget=self.parameters["d_f"])
+        chosen = self.evaluation.sel(ranking=self.request.design.method, budget=self.share)
         cut = self.breaks.to_numpy() > 0
         figures: dict[str, Any] = {
             "burnable_cells": n_burnable,
@@ -137,9 +163,9 @@ class Plan:
             before,
             treated_ha=figures["ha_cut"],
             cell_area_ha=area,
-            picks=resamples(after.size, int(self.parameters["seed"])),
+            picks=resamples(after.size, self.request.fires.seed),
         )
-        if self.parameters["method"] != "random":
+        if self.request.design.method != "random":
             figures["p_value_against_random"] = float(chosen["p_value"])
         if "value_lost" in self.before:
             figures["value_lost_without_breaks"] = float(self.before["value_lost"].mean())
@@ -212,83 +238,103 @@ def plan(
     ParameterError, InputError
         Before the ranking, naming everything that stands in the way, see `feasibility.feasibility`.
     """
-    network = spread_network(landscape, model=model, **(model_params or {}))
-    if barriers is not None:
-        network = with_barriers(network, barriers)
-    stakes = Stakes(network, cost=cost, protected=protected, value=value, ignition=ignition)
-    if ignitions is None and ignition is not None:
-        ignitions = stakes.ignition
-    amount = Budget(budget, budget_unit)
+    request = PlanRequest(
+        design=DesignRequest(method, method_params or {}, budget, budget_unit, width, refine),
+        spread=SpreadRequest(model, model_params or {}),
+        fires=FireRequest(ignitions, ignition_mode, n_runs, seed, residual),
+    )
+    planes = StakePlanes(barriers=barriers, cost=cost, protected=protected, value=value, ignition=ignition)
+    return make_plan(landscape, request, planes, threads=threads, checked=checked, progress=progress)
+
+
+def make_plan(
+    landscape: xr.Dataset,
+    request: PlanRequest,
+    planes: StakePlanes,
+    *,
+    threads: int | None = None,
+    checked: Callable[[Feasibility], None] | None = None,
+    progress: Progress | None = None,
+) -> Plan:
+    """Make the plan of a request.
+
+    Parameters
+    ----------
+    landscape
+        As `read_landscape` returns it.
+    request
+        What is asked; its layers and stakes have been read.
+    planes
+        What a planner adds, on the grid of the landscape.
+    threads, checked, progress
+        As in `plan`.
+    """
+    asked, fires = request.design, request.fires
+    untouched = spread_network(
+        landscape, model=request.spread.model, **request.spread.params(Grid.of(landscape["burnable"]))
+    )
+    network, stakes = planes.on(untouched)
+    if planes.ignition is not None and fires.ignitions is None:
+        fires = replace(fires, ignitions=stakes.ignition)
+    starts: list[Ignitions] = []
+
+    def start() -> Ignitions:
+        starts.append(resolved(network, fires))
+        return starts[0]
+
     # What cannot be is refused now, not after the ranking.
     found = feasibility(
         network,
         stakes,
-        budget=amount,
-        width=width,
-        residual=residual,
-        refine=refine,
-        ignitions=lambda: resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, seed=seed),
+        budget=asked.amount,
+        width=asked.width,
+        residual=fires.residual,
+        refine=asked.refine,
+        ignitions=start,
     )
     found.require()
+    fires = replace(fires, ignitions=starts[0])
     if checked is not None:
         checked(found)
     priority = design(
         network,
-        method,
+        asked.method,
         stakes=stakes,
-        budget=amount,
-        residual=residual,
-        refine=refine,
-        width=width_in_cells(width, network.grid.cell_size),
-        params=method_params,
+        budget=asked.amount,
+        residual=fires.residual,
+        refine=asked.refine,
+        width=width_in_cells(asked.width, network.grid.cell_size),
+        params=asked.method_params,
         elevation=landscape["elevation"].to_numpy(),
-        roads=None if barriers is None else network.mask(barriers, "barriers").astype(np.float64),
-        seed=seed,
-        progress=part(progress, 0.05, 0.35, f"rank by {method}: "),
+        roads=None if planes.barriers is None else network.mask(planes.barriers, "barriers").astype(np.float64),
+        seed=fires.seed,
+        progress=part(progress, 0.05, 0.35, f"rank by {asked.method}: "),
     )
-    breaks = select_breaks(priority, budget=amount, burnable=network.burnable, cost=stakes.cost)
-    fires: dict[str, Any] = {
-        "ignitions": ignitions,
-        "ignition_mode": ignition_mode,
-        "n_runs": n_runs,
-        "seed": seed,
-        "threads": threads,
-    }
-    at_risk = None if value is None else stakes.value
-    before = simulate(network, value=at_risk, progress=part(progress, 0.35, 0.5, "without breaks: "), **fires)
-    after = simulate(
+    breaks = select_breaks(priority, budget=asked.amount, burnable=network.burnable, cost=stakes.cost)
+    at_risk = None if planes.value is None else stakes.value
+    before = burn(
+        network, fires, value=at_risk, threads=threads, progress=part(progress, 0.35, 0.5, "without breaks: ")
+    )
+    after = burn(
         network,
+        fires,
         breaks=breaks,
-        residual=residual,
         value=at_risk,
+        threads=threads,
         progress=part(progress, 0.5, 0.6, "with breaks: "),
-        **fires,
     )
-    baselines = {name: rank(network, name, stakes=stakes, seed=seed) for name in BASELINES if name != method}
-    share = budget if budget_unit == "share" else breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
-    evaluation = evaluate(
+    others = [name for name in BASELINES if name != asked.method]
+    baselines = {name: rank(network, name, stakes=stakes, seed=fires.seed) for name in others}
+    share = asked.budget if asked.budget_unit == "share" else breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
+    evaluation = evaluate_fires(
         network,
-        {method: priority, **baselines},
+        {asked.method: priority, **baselines},
+        fires,
         budgets=reachable(default_budgets(share), priority, network),
-        baseline="random",
+        threads=threads,
         progress=part(progress, 0.6, 1.0, "evaluate "),
-        **fires,
     )
-    parameters = {
-        "budget": budget,
-        "budget_unit": budget_unit,
-        "d_f": share,
-        "method": method,
-        "method_params": dict(method_params or {}),
-        "model": model,
-        "model_params": dict(model_params or {}),
-        "width": width,
-        "residual": residual,
-        "refine": refine,
-        "n_runs": n_runs,
-        "seed": seed,
-    }
-    return Plan(landscape, network, stakes, priority, breaks, before, after, evaluation, parameters, found)
+    return Plan(landscape, network, stakes, priority, breaks, before, after, evaluation, request, share, found)
 
 
 def reachable(budgets: np.ndarray, priority: xr.DataArray, network: SpreadNetwork) -> np.ndarray:

@@ -16,7 +16,8 @@ from firebreak_gis.breaks import Budget, removal_order
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.schema import annotate
-from firebreak_gis.simulation.ignitions import IgnitionMode, resolve_ignitions
+from firebreak_gis.simulation.ignitions import IgnitionMode, Ignitions, resolve_ignitions
+from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.threads import run_pieces, thread_count
 
 if TYPE_CHECKING:
@@ -87,10 +88,26 @@ def simulate(
     Memory: 32 B a cell for the draw thresholds and up to 100 B a cell and thread, whatever the number of
     runs.
     """
+    request = FireRequest(ignitions, ignition_mode, n_runs, seed, residual)
+    return burn(network, request, breaks=breaks, value=value, first_run=first_run, threads=threads, progress=progress)
+
+
+def burn(
+    network: SpreadNetwork,
+    request: FireRequest,
+    *,
+    breaks: np.ndarray | xr.DataArray | None = None,
+    value: np.ndarray | xr.DataArray | None = None,
+    first_run: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Burn the network as a request says; all else as in `simulate`."""
     from firebreak_gis.kernels.lanes import burn_block
     from firebreak_gis.kernels.percolation import burn_runs
 
-    start = resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, first_run=first_run, seed=seed)
+    n_runs, seed, residual = request.n_runs, request.seed, request.residual
+    start = resolved(network, request, first_run=first_run)
     cells = start.cells
     burnt_network = network
     if breaks is not None:
@@ -120,6 +137,18 @@ def simulate(
     block = together if value is None else None
     fires.run(one_by_one, block, lambda: (counts, sizes[:_PILOT]), threads=threads, progress=progress)
     return burn_maps(network, counts.reshape(network.shape), sizes, seed=seed, lost=None if value is None else lost)
+
+
+def resolved(network: SpreadNetwork, request: FireRequest, *, first_run: int = 0) -> Ignitions:
+    """Where the fires of a request start, see `ignitions.resolve_ignitions`."""
+    return resolve_ignitions(
+        network,
+        request.ignitions,
+        mode=request.ignition_mode,
+        n_runs=request.n_runs,
+        first_run=first_run,
+        seed=request.seed,
+    )
 
 
 def burn_curve(
@@ -154,12 +183,26 @@ def burn_curve(
     xarray.DataArray
         `cells_burnt` (run, budget) int64 with the coordinate `budget`.
     """
+    request = FireRequest(ignitions, ignition_mode, n_runs, seed)
+    return burn_budgets(network, priority, request, budgets=budgets, threads=threads, progress=progress)
+
+
+def burn_budgets(
+    network: SpreadNetwork,
+    priority: np.ndarray | xr.DataArray,
+    request: FireRequest,
+    *,
+    budgets: Sequence[float] | np.ndarray,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> xr.DataArray:
+    """Burn the network at every budget as a request says, its breaks perfect; all else as in `burn_curve`."""
     import xarray as xr
 
     from firebreak_gis.kernels.lanes import curve_block
     from firebreak_gis.kernels.percolation import burn_curve as curve_runs
 
-    start = resolve_ignitions(network, ignitions, mode=ignition_mode, n_runs=n_runs, seed=seed)
+    start, n_runs, seed = resolved(network, request), request.n_runs, request.seed
     levels = cut_levels(network, priority, budgets).ravel()
     fires = _Fires(network, start.starts, start.cells, n_runs=n_runs, seed=seed)
     burnt = np.zeros((n_runs, len(budgets)), np.int64)

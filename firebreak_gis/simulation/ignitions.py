@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.kernels.draws import stream_key, uniforms
+from firebreak_gis.simulation.request import IgnitionMode
+from firebreak_gis.vectors import is_vector, read_points
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
 
-#: `each`: the runs take the given points in turn. `all`: every run starts at all of them at once.
-IgnitionMode = Literal["each", "all"]
-
-_RASTER_SUFFIXES = (".tif", ".tiff", ".vrt", ".asc", ".img", ".nc")
+__all__ = ["IgnitionMode", "Ignitions", "resolve_ignitions"]
 
 
 @dataclass(frozen=True)
@@ -31,10 +29,13 @@ class Ignitions:
         (n_runs + 1,) int64.
     cells
         Row-major cell numbers; run i ignites ``cells[starts[i]:starts[i + 1]]``.
+    first_run
+        Number of the first run.
     """
 
     starts: np.ndarray
     cells: np.ndarray
+    first_run: int = 0
 
 
 def resolve_ignitions(
@@ -56,7 +57,7 @@ def resolve_ignitions(
         None: one cell a run, uniform over the cells that hold fuel. A raster on the grid (array, DataArray or
         path of a raster): one cell a run, drawn in proportion to its values. Points (sequence of (x, y) in
         the CRS of the network, GeoDataFrame, GeoSeries or path of a vector file, reprojected): used as `mode`
-        says.
+        says. `Ignitions` of these runs, decided earlier for this network: returned as they are.
     mode
         `"each"`: run i starts at point i modulo their number. `"all"`: every run starts at all points.
     n_runs
@@ -80,7 +81,14 @@ def resolve_ignitions(
         raise ParameterError(f"ignition mode is {mode!r}, expected 'each' or 'all'")
     if network.n_burnable == 0:
         raise InputError("no cell of the network holds fuel, so nothing can burn; check the legend and the layers")
-    if isinstance(ignitions, (str, os.PathLike)) and Path(ignitions).suffix.lower() in _RASTER_SUFFIXES:
+    if isinstance(ignitions, Ignitions):
+        if (ignitions.first_run, ignitions.starts.size - 1) != (first_run, n_runs):
+            raise ParameterError(
+                f"the ignitions are those of {ignitions.starts.size - 1} runs from run {ignitions.first_run}, expected "
+                f"{n_runs} runs from run {first_run}"
+            )
+        return ignitions
+    if isinstance(ignitions, (str, os.PathLike)) and not is_vector(ignitions):
         from firebreak_gis.rasters import read_raster
 
         ignitions = read_raster(ignitions)
@@ -89,11 +97,12 @@ def resolve_ignitions(
         cumulative = np.cumsum(weights)
         draw = uniforms(stream_key(seed, "ignitions"), n_runs, first_run) * cumulative[-1]
         cells = np.searchsorted(cumulative, draw, side="right")
-        return Ignitions(np.arange(n_runs + 1), cells.astype(np.int64))
+        return Ignitions(np.arange(n_runs + 1), cells.astype(np.int64), first_run)
     points = _point_cells(network, ignitions)
     if mode == "all":
-        return Ignitions(np.arange(n_runs + 1) * points.size, np.tile(points, n_runs))
-    return Ignitions(np.arange(n_runs + 1), points[np.arange(first_run, first_run + n_runs) % points.size])
+        return Ignitions(np.arange(n_runs + 1) * points.size, np.tile(points, n_runs), first_run)
+    runs = np.arange(first_run, first_run + n_runs)
+    return Ignitions(np.arange(n_runs + 1), points[runs % points.size], first_run)
 
 
 def _weights(network: SpreadNetwork, ignitions: Any) -> np.ndarray | None:
@@ -115,8 +124,6 @@ def _weights(network: SpreadNetwork, ignitions: Any) -> np.ndarray | None:
 
 def _point_cells(network: SpreadNetwork, ignitions: Any) -> np.ndarray:
     if isinstance(ignitions, (str, os.PathLike)) or hasattr(ignitions, "geometry"):
-        from firebreak_gis.vectors import read_points
-
         points = read_points(ignitions, network.grid.crs)
         x, y = points.geometry.x.to_numpy(), points.geometry.y.to_numpy()
     else:

@@ -8,6 +8,7 @@ from firebreak_gis import SpreadNetwork, evaluate, rank, select_breaks, simulate
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.curves import better_range, compare, summarise, table
 from firebreak_gis.planning.comparison import FRESH, compare_plans, comparison_table
+from firebreak_gis.simulation.request import FireRequest
 
 
 @pytest.fixture(scope="module")
@@ -99,10 +100,9 @@ def test_missing_baseline_and_falling_budgets_are_refused(network, priorities):
 
 def test_comparison_is_made_on_fresh_shared_fires(network, priorities):
     value = np.random.default_rng(2).random(network.shape)
-    result = compare_plans(
-        network, priorities, budgets=[0.1, 0.3], residuals=[0.0, 0.1], value=value, n_runs=50, seed=4
-    )
-    plain = compare_plans(network, priorities, budgets=[0.1, 0.3], residuals=[0.0, 0.1], n_runs=50, seed=4)
+    fires = FireRequest(n_runs=50, seed=4)
+    result = compare_plans(network, priorities, fires, budgets=[0.1, 0.3], residuals=[0.0, 0.1], value=value)
+    plain = compare_plans(network, priorities, fires, budgets=[0.1, 0.3], residuals=[0.0, 0.1])
     np.testing.assert_array_equal(result["burnt"], plain["burnt"])
     np.testing.assert_array_equal(plain["burnt"], plain["lost"])
     for name, priority in priorities.items():

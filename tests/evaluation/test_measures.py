@@ -16,6 +16,7 @@ from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.placement.fires import design_fires
 from firebreak_gis.planning.comparison import FRESH, compare_plans, comparison_table
 from firebreak_gis.planning.design import Designs, design
+from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.stakes import Stakes
 
 
@@ -101,7 +102,7 @@ def test_plans_are_made_for_their_budget_and_leak(network):
     methods = ("dissection", "compartments", "random")
     makers = {name: Designs(network, name, stakes=stakes, seed=2) for name in methods}
     budgets, residuals = [0.1, 0.3], [0.0, 0.3]
-    result = compare_plans(network, makers, budgets=budgets, residuals=residuals, n_runs=30, seed=2)
+    result = compare_plans(network, makers, FireRequest(n_runs=30, seed=2), budgets=budgets, residuals=residuals)
     for name in methods:
         for budget in budgets:
             for residual in residuals:

@@ -14,11 +14,11 @@ from shapely.geometry import box
 
 from firebreak_gis.breaks import Budget
 from firebreak_gis.cli import firebreak
-from firebreak_gis.errors import CRSError, InputError, ParameterError
+from firebreak_gis.errors import CRSError, InputError, ParameterError, raise_together
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape import write_landscape
 from firebreak_gis.network import SpreadNetwork
-from firebreak_gis.planning.feasibility import feasibility, raise_together, width_in_cells
+from firebreak_gis.planning.feasibility import feasibility, width_in_cells
 from firebreak_gis.planning.pipeline import plan
 from firebreak_gis.simulation.ignitions import resolve_ignitions
 from firebreak_gis.stakes import Stakes

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import click
 
-from firebreak_gis.cli import options, parsing
-from firebreak_gis.cli.layers import input_files, read_layers, recorded
+from firebreak_gis.cli import options
+from firebreak_gis.cli.layers import input_files, read_layers
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs
+from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.request import LandscapeRequest
 
 #: What the command writes into its folder.
 OUTPUTS = {
@@ -28,7 +29,8 @@ OUTPUTS = {
 @options.dry_run
 @options.landscape
 @options.common
-def command(session: Session, **given: Any) -> None:
+@built(layers=LandscapeRequest, output=OutputRequest)
+def command(session: Session, *, dry_run: bool, layers: LandscapeRequest, output: OutputRequest) -> None:
     """Lay DEM, VEGETATION and DENSITY on one square grid in metres.
 
     Writes elevation.tif, vegetation.tif and density.tif (classes of the paper) and says what was done to each
@@ -39,28 +41,28 @@ def command(session: Session, **given: Any) -> None:
     from firebreak_gis.landscape import write_landscape
     from firebreak_gis.manifest import provenance, write_manifest
 
-    inputs = input_files(given)
-    require_outputs(given, tuple(OUTPUTS), inputs)
-    foreseen = foresee(given, session, tuple(OUTPUTS))
-    if given["dry_run"]:
+    inputs = input_files(layers.sources)
+    require_outputs(output, tuple(OUTPUTS), inputs)
+    foreseen = foresee(layers, output, session, tuple(OUTPUTS))
+    if dry_run:
         rehearse(foreseen, session)
         return
-    landscape = read_layers(given, session, progress=session.progress)
-    parameters = recorded(given)
+    landscape = read_layers(layers, foreseen.survey, session, progress=session.progress)
+    parameters = recorded()
     grid = Grid.of(landscape["burnable"])
     account = {
         "grid": grid.describe(),
         "alignment": landscape.attrs["alignment"],
         "warnings": landscape.attrs["warnings"],
     }
-    with together(given["output"], alone=True) as target:
+    with together(output.output, alone=True) as target:
         files = write_landscape(
             landscape,
             target,
-            overwrite=given["overwrite"],
+            overwrite=output.overwrite,
             provenance=provenance(parameters),
             forbid=inputs,
-            creation_options=parsing.pairs(given["creation_options"], "--co"),
+            creation_options=output.creation_options,
         )
         files.append(
             write_manifest(
@@ -70,7 +72,7 @@ def command(session: Session, **given: Any) -> None:
                 inputs=inputs,
                 outputs=files,
                 account=account,
-                overwrite=given["overwrite"],
+                overwrite=output.overwrite,
             )
         )
-    session.finish({"files": files, **account}, f"{grid.describe()}; {len(files)} files in {given['output']}")
+    session.finish({"files": files, **account}, f"{grid.describe()}; {len(files)} files in {output.output}")

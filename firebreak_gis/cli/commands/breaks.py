@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import kinds, options, parsing
+from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.request import OutputRequest
+
+if TYPE_CHECKING:
+    from firebreak_gis.breaks import BudgetUnit
 
 
 @click.command("breaks")
@@ -23,7 +28,16 @@ from firebreak_gis.cli.session import Session
     help="Also write the outlines (.gpkg, .geojson, .fgb, .parquet).",
 )
 @options.common
-def command(session: Session, priority: str, output: str, polygons: str | None, **given: Any) -> None:
+@built(output=OutputRequest)
+def command(
+    session: Session,
+    priority: str,
+    output: OutputRequest,
+    polygons: str | None,
+    budget: float,
+    budget_unit: BudgetUnit,
+    cost: str | None,
+) -> None:
     """Cut the first cells of PRIORITY.
 
     A share cuts exactly round(budget x cells that can be cut); ties are cut by row, then column.
@@ -36,25 +50,25 @@ def command(session: Session, priority: str, output: str, polygons: str | None, 
     from firebreak_gis.rasters import files_behind, read_variable, write_raster
     from firebreak_gis.vectors import write_vector
 
-    files = [output] + ([polygons] if polygons else [])
-    inputs = files_behind([priority] + ([given["cost"]] if given["cost"] else []))
+    files = [output.output] + ([polygons] if polygons else [])
+    inputs = files_behind([priority] + ([cost] if cost else []))
     for name in files:
-        require_writable(name, overwrite=given["overwrite"], forbid=inputs)
+        require_writable(name, overwrite=output.overwrite, forbid=inputs)
     ranking = read_variable(priority, "priority")
-    cost = None
-    if given["cost"]:
+    prices = None
+    if cost:
         grid = Grid.of(ranking)
-        cost = value_plane(given["cost"], grid, what="cost") * grid.cell_area_ha
-    breaks = select_breaks(ranking, budget=given["budget"], unit=given["budget_unit"], cost=cost)
-    with together(Path(output).parent):
+        prices = value_plane(cost, grid, what="cost") * grid.cell_area_ha
+    breaks = select_breaks(ranking, budget=budget, unit=budget_unit, cost=prices)
+    with together(Path(output.output).parent):
         write_raster(
-            output,
+            output.output,
             breaks,
-            overwrite=given["overwrite"],
-            provenance=provenance({"budget": given["budget"], "unit": given["budget_unit"]}),
-            creation_options=parsing.pairs(given["creation_options"], "--co"),
+            overwrite=output.overwrite,
+            provenance=provenance({"budget": budget, "unit": budget_unit}),
+            creation_options=output.creation_options,
         )
         if polygons:
-            write_vector(polygons, break_polygons(breaks, ranking), layer="breaks", overwrite=given["overwrite"])
+            write_vector(polygons, break_polygons(breaks, ranking), layer="breaks", overwrite=output.overwrite)
     count = breaks.attrs["cells_cut"]
     session.finish({"files": files, "cells_cut": count}, f"{count} cells cut; written to {', '.join(files)}")

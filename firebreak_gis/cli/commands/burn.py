@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Any
 
 import click
 
-from firebreak_gis.cli import kinds, options, parsing
+from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.simulation.request import FireRequest
 
 
 @click.command("burn")
@@ -21,7 +24,10 @@ from firebreak_gis.cli.session import Session
 @options.seed
 @options.fitting("burn")
 @options.common
-def command(session: Session, network: str, output: str, mask: str | None, sizes: str | None, **given: Any) -> None:
+@built(output=OutputRequest, fires=FireRequest)
+def command(
+    session: Session, network: str, output: OutputRequest, fires: FireRequest, mask: str | None, sizes: str | None
+) -> None:
     """Burn NETWORK many times and write how often each cell burns.
 
     With the same --seed the fires are the same with and without --breaks, so their difference is the breaks'
@@ -32,41 +38,38 @@ def command(session: Session, network: str, output: str, mask: str | None, sizes
     from firebreak_gis.manifest import provenance
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind, read_variable, write_raster
-    from firebreak_gis.simulation.fires import simulate
+    from firebreak_gis.simulation.fires import burn
     from firebreak_gis.spread.raster import read_network
 
-    inputs = files_behind(filter(None, (network, mask, given["ignitions"])))
-    files = [output] + ([sizes] if sizes else [])
+    inputs = files_behind(filter(None, (network, mask, *fires.sources)))
+    files = [output.output] + ([sizes] if sizes else [])
     for name in files:
-        require_writable(name, overwrite=given["overwrite"], forbid=inputs)
-    seed = parsing.checked_seed(given["seed"])
-    spread = read_network(network)
-    fires = {key: given[key] for key in ("n_runs", "ignitions", "ignition_mode")}
-    burns = simulate(
-        spread,
-        **(fires | {"ignitions": ignition_source(given["ignitions"], spread.grid)}),
+        require_writable(name, overwrite=output.overwrite, forbid=inputs)
+    untouched = read_network(network)
+    burns = burn(
+        untouched,
+        replace(fires, ignitions=ignition_source(fires.ignitions, untouched.grid)),
         breaks=read_variable(mask, "breaks") if mask else None,
-        residual=given["residual"],
-        seed=seed,
         progress=part(session.progress, 0.05, 0.95),
     )
-    tags = provenance({**fires, "breaks": mask is not None, "residual": given["residual"]}, seed=seed)
+    told = asdict(fires) | {"breaks": mask is not None}
+    tags = provenance({key: value for key, value in told.items() if key != "seed"}, seed=fires.seed)
     cells = burns["fire_size"].to_numpy()
-    with together(Path(output).parent):
+    with together(Path(output.output).parent):
         write_raster(
-            output,
+            output.output,
             burns["burn_frequency"],
-            overwrite=given["overwrite"],
+            overwrite=output.overwrite,
             provenance=tags,
             forbid=inputs,
-            creation_options=parsing.pairs(given["creation_options"], "--co"),
+            creation_options=output.creation_options,
         )
         if sizes:
             table = burns["fire_size"].to_dataframe(name="cells").reset_index()
-            table["ha"] = (table["cells"] * spread.grid.cell_area_ha).round(6)
-            write_text(sizes, table.to_csv(index=False, lineterminator="\n"), overwrite=given["overwrite"])
-    share = cells.mean() / spread.n_burnable
+            table["ha"] = (table["cells"] * untouched.grid.cell_area_ha).round(6)
+            write_text(sizes, table.to_csv(index=False, lineterminator="\n"), overwrite=output.overwrite)
+    share = cells.mean() / untouched.n_burnable
     session.finish(
-        {"files": files, "mean_burnt_share": share, "max_burnt_share": cells.max() / spread.n_burnable},
+        {"files": files, "mean_burnt_share": share, "max_burnt_share": cells.max() / untouched.n_burnable},
         f"{cells.size} runs, mean burnt share {100 * share:.1f} %; written to {', '.join(files)}",
     )

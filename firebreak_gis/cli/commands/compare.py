@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import click
 
 from firebreak_gis.cli import kinds, options, parsing, stakes
-from firebreak_gis.cli.layers import checked_fires, recorded
+from firebreak_gis.cli.layers import checked_fires, input_files
+from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
-from firebreak_gis.errors import FirebreakError, ParameterError
+from firebreak_gis.errors import FirebreakError, ParameterError, raise_together
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.plugins import build_params, load
+from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
@@ -41,6 +45,7 @@ OUTPUTS = {
 )
 @click.option(
     "--budgets",
+    type=kinds.NUMBERS,
     default="0.01,0.025,0.05,0.1,0.14",
     show_default=True,
     metavar="LIST",
@@ -48,6 +53,7 @@ OUTPUTS = {
 )
 @click.option(
     "--residuals",
+    type=kinds.NUMBERS,
     default="0,0.05,0.1",
     show_default=True,
     metavar="LIST",
@@ -59,7 +65,18 @@ OUTPUTS = {
 @options.seed
 @options.fitting("compare")
 @options.common
-def command(session: Session, network: str, output: str, method_list: str, **given: Any) -> None:
+@built(output=OutputRequest, fires=FireRequest, at_stake=StakesRequest)
+def command(
+    session: Session,
+    network: str,
+    output: OutputRequest,
+    fires: FireRequest,
+    at_stake: StakesRequest,
+    method_list: list[parsing.Method],
+    budgets: list[float],
+    residuals: list[float],
+    dem: str | None,
+) -> None:
     """Compare rankings on NETWORK: expected burnt area, value lost, worst fires and leverage, with intervals.
 
     Each plan is made for its budget and leak, as firebreak plan makes it. The fires are fresh: no plan was designed
@@ -76,72 +93,64 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     from firebreak_gis.report.figures import save
     from firebreak_gis.spread.raster import read_network
 
-    seed = parsing.checked_seed(given["seed"])
-    methods = parsing.methods_list(method_list)
-    budgets = parsing.number_list(given["budgets"], "--budgets")
-    residuals = parsing.number_list(given["residuals"], "--residuals")
-    named = [given[key] for key in ("ignitions", "dem") if given[key]]
-    inputs = [network, *named, *stakes.stake_files(given)]
-    target = make_folder(output)
+    inputs = input_files([network, *fires.sources, dem, *at_stake.sources])
+    target = make_folder(output.output)
     files = [target / name for name in ("comparison.csv", "comparison.png", "comparison.svg")]
     for name in (*files, target / "run.json"):
-        require_writable(name, overwrite=given["overwrite"], forbid=files_behind(inputs))
+        require_writable(name, overwrite=output.overwrite, forbid=files_behind(inputs))
     untouched = read_network(network)
-    spread, at_stake = stakes.network_and_stakes(untouched, given)
-    fires = checked_fires(given, spread)
-    _require_possible(spread, at_stake, methods, budgets, residuals)
-    ridges = value_plane(given["dem"], spread.grid, what="elevation", fill=float("nan")) if given["dem"] else None
-    roads = (untouched.burnable & ~spread.burnable).astype(float) if given["barriers"] else None
+    planes = at_stake.read(untouched.grid, ignitions=fires.ignitions)
+    barred, placed = planes.on(untouched)
+    fires = checked_fires(fires if planes.ignition is None else replace(fires, ignitions=planes.ignition), barred)
+    _require_possible(barred, placed, method_list, budgets, residuals)
+    ridges = value_plane(dem, barred.grid, what="elevation", fill=float("nan")) if dem else None
+    roads = (untouched.burnable & ~barred.burnable).astype(float) if at_stake.barriers else None
     plans = {
-        label: Designs(spread, method, stakes=at_stake, params=params, elevation=ridges, roads=roads, seed=seed)
-        for label, method, params in methods
+        label: Designs(barred, method, stakes=placed, params=params, elevation=ridges, roads=roads, seed=fires.seed)
+        for label, method, params in method_list
     }
     result = compare_plans(
-        spread,
+        barred,
         plans,
+        fires,
         budgets=budgets,
         residuals=residuals,
-        value=at_stake.value if given["values"] else None,
-        **fires,
+        value=placed.value if at_stake.values else None,
         progress=part(session.progress, 0.02, 0.97),
     )
     rows = comparison_table(result)
     with together(target):
         write_text(
-            files[0], rows.to_csv(index=False, lineterminator="\n", float_format="%.8g"), overwrite=given["overwrite"]
+            files[0], rows.to_csv(index=False, lineterminator="\n", float_format="%.8g"), overwrite=output.overwrite
         )
-        figure = comparison_figure(rows, n_burnable=spread.n_burnable, cell_area_ha=spread.grid.cell_area_ha)
+        figure = comparison_figure(rows, n_burnable=barred.n_burnable, cell_area_ha=barred.grid.cell_area_ha)
         for name in files[1:]:
-            save(figure, name, overwrite=given["overwrite"])
+            save(figure, name, overwrite=output.overwrite)
         files.append(
             write_manifest(
                 target / "run.json",
                 command="compare",
-                parameters=recorded({"network": network, "method_list": method_list, **given}),
-                inputs=_existing(inputs),
+                parameters=recorded(),
+                inputs=inputs,
                 outputs=files,
-                account={"n_burnable": spread.n_burnable},
-                overwrite=given["overwrite"],
+                account={"n_burnable": barred.n_burnable},
+                overwrite=output.overwrite,
             )
         )
     shown = rows.pivot_table(index="method", columns=["residual", "d_f"], values="R", sort=False)
     session.finish(
         {"files": files},
-        f"mean burnt share R by residual and d_f\n{shown.to_string(float_format='%.4f')}\nwritten to {output}",
+        f"mean burnt share R by residual and d_f\n{shown.to_string(float_format='%.4f')}\nwritten to {output.output}",
     )
 
 
-def _existing(paths: list[str]) -> list[str]:
-    return [p for p in paths if Path(p).is_file()]
-
-
 def _require_possible(
-    network: SpreadNetwork, at_stake: Stakes, methods: list[Any], budgets: list[float], residuals: list[float]
+    network: SpreadNetwork, placed: Stakes, methods: list[parsing.Method], budgets: list[float], residuals: list[float]
 ) -> None:
     """Refuse before the first ranking what a later one would be refused for."""
     from firebreak_gis.breaks import Budget
     from firebreak_gis.network import checked_residual
-    from firebreak_gis.planning.feasibility import feasibility, raise_together
+    from firebreak_gis.planning.feasibility import feasibility
 
     problems: list[FirebreakError] = []
     for label, method, params in methods:
@@ -156,5 +165,5 @@ def _require_possible(
             problems.append(error)
     for budget in budgets:
         told = {str(problem) for problem in problems}
-        problems += [p for p in feasibility(network, at_stake, budget=Budget(budget)).problems if str(p) not in told]
+        problems += [p for p in feasibility(network, placed, budget=Budget(budget)).problems if str(p) not in told]
     raise_together(problems)

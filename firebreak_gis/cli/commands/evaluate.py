@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import click
 
 from firebreak_gis.cli import kinds, options, parsing
-from firebreak_gis.cli.layers import checked_fires, recorded
+from firebreak_gis.cli.layers import checked_fires, input_files
+from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.simulation.request import FireRequest
+
+if TYPE_CHECKING:
+    from firebreak_gis.evaluation.curves import Test
 
 #: What the command writes into its folder.
 OUTPUTS = {
@@ -42,6 +47,7 @@ OUTPUTS = {
 )
 @click.option(
     "--budgets",
+    type=kinds.NUMBERS,
     metavar="LIST",
     help="Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01].",
 )
@@ -57,12 +63,23 @@ OUTPUTS = {
 @options.seed
 @options.fitting("evaluate")
 @options.common
-def command(session: Session, network: str, output: str, method_list: str, **given: Any) -> None:
+@built(output=OutputRequest, fires=FireRequest)
+def command(
+    session: Session,
+    network: str,
+    output: OutputRequest,
+    fires: FireRequest,
+    method_list: list[parsing.Method],
+    baseline: str,
+    budgets: list[float] | None,
+    test: Test,
+    alpha: float,
+) -> None:
     """Judge rankings on NETWORK: mean, 90 % percentile and maximum of the burnt share at every budget.
 
     All rankings meet the same fires. Writes evaluation.csv, evaluation.png, evaluation.svg and run.json.
     """
-    from firebreak_gis.evaluation.curves import better_range, evaluate, table
+    from firebreak_gis.evaluation.curves import better_range, evaluate_fires, table
     from firebreak_gis.files import make_folder, require_writable, together, write_text
     from firebreak_gis.manifest import write_manifest
     from firebreak_gis.planning.pipeline import default_budgets
@@ -73,55 +90,52 @@ def command(session: Session, network: str, output: str, method_list: str, **giv
     from firebreak_gis.report.figures import save
     from firebreak_gis.spread.raster import read_network
 
-    seed = parsing.checked_seed(given["seed"])
-    methods = parsing.methods_list(method_list)
-    if given["baseline"] not in {label for label, _, _ in methods}:
-        methods.append((given["baseline"], given["baseline"], {}))
-    inputs = [p for p in (network, given["ignitions"]) if p and Path(p).is_file()]
-    target = make_folder(output)
+    methods = list(method_list)
+    if baseline not in {method.label for method in methods}:
+        methods.append(parsing.Method(baseline, baseline, {}))
+    inputs = input_files([network, *fires.sources])
+    target = make_folder(output.output)
     files = [target / name for name in ("evaluation.csv", "evaluation.png", "evaluation.svg")]
     for name in (*files, target / "run.json"):
-        require_writable(
-            name, overwrite=given["overwrite"], forbid=files_behind(filter(None, (network, given["ignitions"])))
-        )
-    budgets = parsing.number_list(given["budgets"], "--budgets") if given["budgets"] else default_budgets()
-    spread = read_network(network)
-    fires = checked_fires(given, spread)
+        require_writable(name, overwrite=output.overwrite, forbid=files_behind(inputs))
+    shares = budgets or default_budgets()
+    untouched = read_network(network)
+    fires = checked_fires(fires, untouched)
     priorities = {}
     for i, (label, method, params) in enumerate(methods):
         step = part(session.progress, 0.5 * i / len(methods), 0.5 * (i + 1) / len(methods), f"{label}: ")
-        priorities[label] = rank(spread, method, seed=seed, progress=step, **params)
-    result = evaluate(
-        spread,
+        priorities[label] = rank(untouched, method, seed=fires.seed, progress=step, **params)
+    result = evaluate_fires(
+        untouched,
         priorities,
-        budgets=budgets,
-        baseline=given["baseline"],
-        test=given["test"],
-        alpha=given["alpha"],
-        **fires,
+        fires,
+        budgets=shares,
+        baseline=baseline,
+        test=test,
+        alpha=alpha,
         progress=part(session.progress, 0.5, 0.95),
     )
     with together(target):
-        write_text(files[0], table(result).to_csv(index=False, lineterminator="\n"), overwrite=given["overwrite"])
+        write_text(files[0], table(result).to_csv(index=False, lineterminator="\n"), overwrite=output.overwrite)
         figure = curve_figure(result)
         for name in files[1:]:
-            save(figure, name, overwrite=given["overwrite"])
-        better = {label: better_range(result, label) for label in priorities if label != given["baseline"]}
+            save(figure, name, overwrite=output.overwrite)
+        better = {label: better_range(result, label) for label in priorities if label != baseline}
         files.append(
             write_manifest(
                 target / "run.json",
                 command="evaluate",
                 inputs=inputs,
                 outputs=files,
-                parameters=recorded({"network": network, "method_list": method_list, **given}),
-                account={"n_burnable": spread.n_burnable, "significant_d_f": better},
-                overwrite=given["overwrite"],
+                parameters=recorded(),
+                account={"n_burnable": untouched.n_burnable, "significant_d_f": better},
+                overwrite=output.overwrite,
             )
         )
     told = [
-        f"{label} burns less than {given['baseline']} (alpha {given['alpha']:g}) "
+        f"{label} burns less than {baseline} (alpha {alpha:g}) "
         + ("nowhere" if span is None else f"at d_f from {span[0]:g} to {span[1]:g}")
         for label, span in better.items()
     ]
-    told.append(f"{len(priorities)} rankings at {len(budgets)} budgets; written to {output}")
+    told.append(f"{len(priorities)} rankings at {len(shares)} budgets; written to {output.output}")
     session.finish({"files": files, "significant_d_f": better}, "\n".join(told))

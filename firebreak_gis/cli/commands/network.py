@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
 
-from firebreak_gis.cli import options, parsing
-from firebreak_gis.cli.layers import input_files, spread_params
+from firebreak_gis.cli import options
+from firebreak_gis.cli.layers import input_files
+from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.weather import WEATHER, SpreadRequest
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
@@ -23,7 +26,8 @@ if TYPE_CHECKING:
 @options.clock
 @options.fitting("network")
 @options.common
-def command(session: Session, folder: str, output: str, **given: Any) -> None:
+@built(output=OutputRequest, spread=SpreadRequest)
+def command(session: Session, folder: str, output: OutputRequest, spread: SpreadRequest) -> None:
     """Build the spread network of the landscape in FOLDER (made by align).
 
     Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order
@@ -39,29 +43,33 @@ def command(session: Session, folder: str, output: str, **given: Any) -> None:
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.spread import spread_network
 
-    inputs = files_behind([*map(str, Path(folder).glob("*.tif")), *input_files(given)])
-    require_writable(output, overwrite=given["overwrite"], forbid=inputs)
+    inputs = files_behind([*map(str, Path(folder).glob("*.tif")), *input_files(spread.sources)])
+    require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
+    spread.require()
     landscape = read_landscape_folder(folder)
     grid = Grid.of(landscape["burnable"])
     session.progress(0.2, "spread network")
-    network = spread_network(landscape, model=given["model"], **spread_params(given, grid))
-    if given["clock"]:
+    network = spread_network(landscape, model=spread.model, **spread.params(grid))
+    if spread.clock:
         network.require_times("--clock")
     session.progress(0.6, "writing")
-    recorded = ("model", "model_params", "wind_speed", "wind_from", "moisture", *(["clock"] if given["clock"] else []))
-    tags = provenance({k: given[k] for k in recorded}) | network.provenance
+    told = {key: value for key, value in recorded().items() if key in ("model", *WEATHER) or (key == "clock" and value)}
+    tags = (
+        provenance({**told, "model_params": [f"{name}={value}" for name, value in spread.model_params.items()]})
+        | network.provenance
+    )
     write_raster(
-        output,
+        output.output,
         network.to_dataset(),
-        overwrite=given["overwrite"],
+        overwrite=output.overwrite,
         provenance=tags,
         forbid=inputs,
-        creation_options=parsing.pairs(given["creation_options"], "--co"),
+        creation_options=output.creation_options,
     )
     session.finish(
-        {"files": [output], "burnable_cells": network.n_burnable, **_pace(network)},
+        {"files": [output.output], "burnable_cells": network.n_burnable, **_pace(network)},
         f"{network.n_burnable} cells with fuel, mean edge probability "
-        f"{network.probability[:, network.burnable].mean():.3f}{_told(network)}; written to {output}",
+        f"{network.probability[:, network.burnable].mean():.3f}{_told(network)}; written to {output.output}",
     )
 
 

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import options, parsing, stakes
-from firebreak_gis.cli.layers import input_files, read_layers, recorded, spread_params
+from firebreak_gis.cli import options, stakes
+from firebreak_gis.cli.layers import input_files, read_layers
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
+from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.request import LandscapeRequest
+from firebreak_gis.landscape.stake_layers import StakesRequest
+from firebreak_gis.landscape.weather import SpreadRequest
+from firebreak_gis.planning.request import DesignRequest, PlanRequest
+from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
     from firebreak_gis.planning.feasibility import Feasibility
@@ -48,7 +56,25 @@ OUTPUTS = {
 @options.spread
 @options.landscape
 @options.common
-def command(session: Session, **given: Any) -> None:
+@built(
+    layers=LandscapeRequest,
+    output=OutputRequest,
+    design=DesignRequest,
+    spread=SpreadRequest,
+    fires=FireRequest,
+    at_stake=StakesRequest,
+)
+def command(
+    session: Session,
+    *,
+    dry_run: bool,
+    layers: LandscapeRequest,
+    output: OutputRequest,
+    design: DesignRequest,
+    spread: SpreadRequest,
+    fires: FireRequest,
+    at_stake: StakesRequest,
+) -> None:
     """Plan fire breaks: DEM, VEGETATION and DENSITY rasters in, breaks and burn maps out.
 
     The layers may have any CRS, extent and cell size; they are laid on one square grid in metres. DENSITY may
@@ -56,51 +82,36 @@ def command(session: Session, **given: Any) -> None:
     legend gives the density. DEM alone may be a FlamMap landscape (.lcp).
     """
     from firebreak_gis.grid import Grid
-    from firebreak_gis.landscape.planes import ignition_source
     from firebreak_gis.planning.outputs import PLAN_FILES, write_plan
-    from firebreak_gis.planning.pipeline import plan
+    from firebreak_gis.planning.pipeline import make_plan
     from firebreak_gis.progress import part
 
-    parameters = {
-        **given,
-        "method_params": parsing.pairs(given["method_params"], "--param"),
-        "model_params": parsing.pairs(given["model_params"], "--model-param"),
-    }
-    require_possible(parameters)
-    inputs = [*input_files(given), *stakes.stake_files(given)]
-    require_outputs(given, PLAN_FILES, inputs)
-    foreseen = foresee(given, session, PLAN_FILES, method=given["method"])
-    if given["dry_run"]:
+    request = PlanRequest(design, spread, fires, at_stake, layers, output)
+    require_possible(request)
+    inputs = input_files(request.sources)
+    require_outputs(output, PLAN_FILES, inputs)
+    foreseen = foresee(layers, output, session, PLAN_FILES, method=design.method)
+    if dry_run:
         rehearse(foreseen, session)
         return
-    landscape = read_layers(given, session, progress=part(session.progress, 0.0, 0.1, "align: "))
-    grid = Grid.of(landscape["burnable"])
-    result = plan(
+    landscape = read_layers(layers, foreseen.survey, session, progress=part(session.progress, 0.0, 0.1, "align: "))
+    planes = at_stake.read(Grid.of(landscape["burnable"]), ignitions=fires.ignitions, landscape=landscape)
+    if planes.ignition is not None:  # a raster: it shapes the plan, and the fires start by it
+        request = replace(request, fires=replace(fires, ignitions=None))
+    result = make_plan(
         landscape,
-        budget=given["budget"],
-        budget_unit=given["budget_unit"],
-        width=given["width"],
-        residual=given["residual"],
-        refine=given["refine"],
-        **stakes.read_stakes(grid, given, landscape=landscape),
-        method=given["method"],
-        method_params=parameters["method_params"],
-        model=given["model"],
-        model_params=spread_params(given, grid),
-        ignitions=ignition_source(given["ignitions"], grid),
-        ignition_mode=given["ignition_mode"],
-        n_runs=given["n_runs"],
-        seed=given["seed"],
-        checked=lambda found: _tell(session, found, strict=given["strict"]),
+        request,
+        planes,
+        checked=lambda found: _tell(session, found, strict=layers.strict),
         progress=part(session.progress, 0.1, 0.8),
     )
     files = write_plan(
         result,
-        given["output"],
-        parameters=recorded(parameters),
+        output.output,
+        parameters=recorded(),
         inputs=inputs,
-        creation_options=parsing.pairs(given["creation_options"], "--co"),
-        overwrite=given["overwrite"],
+        creation_options=output.creation_options,
+        overwrite=output.overwrite,
         progress=part(session.progress, 0.8, 1.0),
     )
     summary = result.summary
@@ -114,7 +125,7 @@ def command(session: Session, **given: Any) -> None:
         f"{judged['leverage']:.1f} ha saved per ha treated "
         f"({judged['leverage_low']:.1f} to {judged['leverage_high']:.1f}), "
         f"{judged['cvar_ha']:,.0f} ha burnt in the worst tenth of the fires.\n"
-        f"{len(files)} files in {given['output']}; look at overview.png first.",
+        f"{len(files)} files in {output.output}; look at overview.png first.",
     )
 
 

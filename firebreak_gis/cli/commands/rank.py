@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import click
 
-from firebreak_gis.cli import kinds, options, parsing, stakes
+from firebreak_gis.cli import kinds, options, stakes
+from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.stake_layers import StakesRequest
 
 
 @click.command("rank")
@@ -18,7 +19,16 @@ from firebreak_gis.cli.session import Session
 @options.seed
 @options.fitting("rank")
 @options.common
-def command(session: Session, network: str, output: str, **given: Any) -> None:
+@built(output=OutputRequest, at_stake=StakesRequest)
+def command(
+    session: Session,
+    network: str,
+    output: OutputRequest,
+    at_stake: StakesRequest,
+    method: str,
+    method_params: dict[str, str],
+    seed: int,
+) -> None:
     """Rank the cells of NETWORK by the order in which they should be cut: higher is earlier."""
     from firebreak_gis.files import require_writable
     from firebreak_gis.manifest import provenance
@@ -27,25 +37,24 @@ def command(session: Session, network: str, output: str, **given: Any) -> None:
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.spread.raster import read_network
 
-    inputs = files_behind([network, *stakes.stake_files(given)])
-    require_writable(output, overwrite=given["overwrite"], forbid=inputs)
-    seed = parsing.checked_seed(given["seed"])
-    params = parsing.pairs(given["method_params"], "--param")
-    spread, at_stake = stakes.network_and_stakes(read_network(network), given)
+    inputs = files_behind([network, *at_stake.sources])
+    require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
+    untouched = read_network(network)
+    barred, placed = at_stake.read(untouched.grid).on(untouched)
     priority = rank(
-        spread,
-        given["method"],
-        stakes=at_stake,
+        barred,
+        method,
+        stakes=placed,
         seed=seed,
         progress=part(session.progress, 0.05, 0.9),
-        **params,
+        **method_params,
     )
     write_raster(
-        output,
+        output.output,
         priority,
-        overwrite=given["overwrite"],
+        overwrite=output.overwrite,
         forbid=inputs,
-        provenance=provenance({"method": given["method"], "method_params": params}, seed=seed),
-        creation_options=parsing.pairs(given["creation_options"], "--co"),
+        provenance=provenance({"method": method, "method_params": method_params}, seed=seed),
+        creation_options=output.creation_options,
     )
-    session.finish({"files": [output]}, f"ranked by {given['method']}; written to {output}")
+    session.finish({"files": [output.output]}, f"ranked by {method}; written to {output.output}")

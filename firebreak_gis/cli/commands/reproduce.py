@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import click
 
-from firebreak_gis.cli import options, parsing
-from firebreak_gis.cli.layers import input_files, read_layers, recorded
+from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli.layers import input_files, read_layers
+from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.request import LandscapeRequest
 
 
 @click.group("reproduce")
@@ -29,12 +32,13 @@ def command() -> None:
     help="Folder to write into; made if it does not exist.",
 )
 @options.overwrite
-@click.option("--forests", "n_forests", type=int, default=100, show_default=True, help="Number of forests.")
-@click.option("--runs", "n_runs", type=int, default=10, show_default=True, help="Fires a forest.")
+@click.option("--forests", "n_forests", type=kinds.COUNT, default=100, show_default=True, help="Number of forests.")
+@click.option("--runs", "n_runs", type=kinds.COUNT, default=10, show_default=True, help="Fires a forest.")
 @options.seed
 @options.common
 @options.claiming_folder
-def artificial_forest_command(session: Session, **given: Any) -> None:
+@built(output=OutputRequest)
+def artificial_forest_command(session: Session, output: OutputRequest, n_forests: int, n_runs: int, seed: int) -> None:
     """Figure 1: R(d_f) of every centrality on random forests of 50 x 50 cells.
 
     Writes curve.csv, summary.json, figure_1.png, figure_1.svg and run.json.
@@ -45,31 +49,27 @@ def artificial_forest_command(session: Session, **given: Any) -> None:
     from firebreak_gis.report.figures import save
     from firebreak_gis.report.paper import figure_1
 
-    parsing.checked_seed(given["seed"])
-    replace = given["overwrite"]
-    target = make_folder(given["output"])
+    target = make_folder(output.output)
     files = [target / name for name in ("curve.csv", "summary.json", "figure_1.png", "figure_1.svg")]
     for name in (*files, target / "run.json"):
-        require_writable(name, overwrite=replace)
-    result = artificial_forest(
-        n_forests=given["n_forests"], n_runs=given["n_runs"], seed=given["seed"], progress=session.progress
-    )
+        require_writable(name, overwrite=output.overwrite)
+    result = artificial_forest(n_forests=n_forests, n_runs=n_runs, seed=seed, progress=session.progress)
     found = summary(result)
     with together(target):
-        write_text(files[0], curve_table(result).to_csv(index=False, lineterminator="\n"), overwrite=replace)
-        write_text(files[1], json.dumps(found, indent=2) + "\n", overwrite=replace)
+        write_text(files[0], curve_table(result).to_csv(index=False, lineterminator="\n"), overwrite=output.overwrite)
+        write_text(files[1], json.dumps(found, indent=2) + "\n", overwrite=output.overwrite)
         figure = figure_1(result, fallen=FALLEN)
         for name in files[2:]:
-            save(figure, name, overwrite=replace)
+            save(figure, name, overwrite=output.overwrite)
         files.append(
             write_manifest(
                 target / "run.json",
                 command="reproduce artificial-forest",
                 inputs=[],
                 outputs=files,
-                parameters=recorded(given),
+                parameters=recorded(),
                 account=found,
-                overwrite=replace,
+                overwrite=output.overwrite,
             )
         )
     lines = [
@@ -114,12 +114,23 @@ def artificial_forest_command(session: Session, **given: Any) -> None:
     show_default=True,
     help="Direction the wind of figure 4 comes from, degrees clockwise from north.",
 )
-@click.option("--runs", "n_runs", type=int, default=100, show_default=True, help="Number of simulated fires.")
+@click.option("--runs", "n_runs", type=kinds.COUNT, default=100, show_default=True, help="Number of simulated fires.")
 @options.seed
 @options.landscape
 @options.common
 @options.claiming_folder
-def landscape_command(session: Session, **given: Any) -> None:
+@built(output=OutputRequest, layers=LandscapeRequest)
+def landscape_command(
+    session: Session,
+    output: OutputRequest,
+    layers: LandscapeRequest,
+    ignition: tuple[float, float] | None,
+    rectangle: tuple[float, float, float, float] | None,
+    wind_speed: float,
+    wind_from: float,
+    n_runs: int,
+    seed: int,
+) -> None:
     """Figures 3 to 6 on a landscape: DEM, VEGETATION, DENSITY; without them on the sample data.
 
     Writes figure_3.png to figure_6.png, evaluation.csv, cut_cells.csv and run.json.
@@ -127,35 +138,37 @@ def landscape_command(session: Session, **given: Any) -> None:
     from firebreak_gis.evaluation.curves import table
     from firebreak_gis.evaluation.paper.landscape import cut_table, grey_levels, landscape_experiment
     from firebreak_gis.files import make_folder, require_writable, together, write_text
+    from firebreak_gis.landscape import survey
     from firebreak_gis.manifest import write_manifest
     from firebreak_gis.progress import part
     from firebreak_gis.report import paper
     from firebreak_gis.report.figures import save
 
-    parsing.checked_seed(given["seed"])
-    if given["dem"] is None:
-        given |= sample_layers()
-    elif given["vegetation"] is None:
+    told = recorded()
+    if layers.dem is None:
+        sample = sample_layers()
+        told |= sample
+        layers = replace(layers, dem=sample["dem"], vegetation=sample["vegetation"], density=sample["density"])
+    elif layers.vegetation is None:
         raise ParameterError("DEM was given without VEGETATION; give both, or neither to use the sample data")
-    inputs = input_files(given)
-    replace = given["overwrite"]
-    target = make_folder(given["output"])
+    inputs = input_files(layers.sources)
+    target = make_folder(output.output)
     pictures = [target / f"figure_{k}.png" for k in (3, 4, 5, 6)]
     tables = [target / "evaluation.csv", target / "cut_cells.csv"]
     for name in (*pictures, *tables, target / "run.json"):
-        require_writable(name, overwrite=replace, forbid=inputs)
-    landscape = read_layers(given, session, progress=part(session.progress, 0.0, 0.1, "align: "))
+        require_writable(name, overwrite=output.overwrite, forbid=inputs)
+    landscape = read_layers(layers, survey(layers), session, progress=part(session.progress, 0.0, 0.1, "align: "))
     result = landscape_experiment(
         landscape,
-        ignition=given["ignition"] or None,
-        rectangle=given["rectangle"] or None,
-        wind_speed=given["wind_speed"],
-        wind_from_direction=given["wind_from"],
-        n_runs=given["n_runs"],
-        seed=given["seed"],
+        ignition=ignition or None,
+        rectangle=rectangle or None,
+        wind_speed=wind_speed,
+        wind_from_direction=wind_from,
+        n_runs=n_runs,
+        seed=seed,
         progress=part(session.progress, 0.1, 0.9),
     )
-    wind = f"wind {given['wind_speed']:g} m/s from {given['wind_from']:g} degrees"
+    wind = f"wind {wind_speed:g} m/s from {wind_from:g} degrees"
     figures = (
         paper.figure_3(landscape),
         paper.figure_4(landscape, result.fire, grey_levels(result.fire["burn_frequency"].to_numpy()), wind=wind),
@@ -165,9 +178,9 @@ def landscape_command(session: Session, **given: Any) -> None:
     cut = cut_table(result)
     with together(target):
         for name, figure in zip(pictures, figures, strict=True):
-            save(figure, name, overwrite=replace)
+            save(figure, name, overwrite=output.overwrite)
         for name, frame in zip(tables, (table(result.evaluation), cut), strict=True):
-            write_text(name, frame.to_csv(index=False, lineterminator="\n"), overwrite=replace)
+            write_text(name, frame.to_csv(index=False, lineterminator="\n"), overwrite=output.overwrite)
         files = [*pictures, *tables]
         files.append(
             write_manifest(
@@ -175,9 +188,9 @@ def landscape_command(session: Session, **given: Any) -> None:
                 command="reproduce landscape",
                 inputs=inputs,
                 outputs=files,
-                parameters=recorded(given),
+                parameters=told,
                 account={"cut_cells": cut.to_dict("records")},
-                overwrite=replace,
+                overwrite=output.overwrite,
             )
         )
     session.finish(

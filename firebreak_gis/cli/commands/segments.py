@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import click
 
 from firebreak_gis.cli import kinds, options, stakes
+from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.stake_layers import StakesRequest
 
 
 @click.command("segments")
@@ -38,7 +39,18 @@ from firebreak_gis.cli.session import Session
 @stakes.stakes
 @click.option("--overwrite", is_flag=True, help="Replace existing files.")
 @options.common
-def command(session: Session, network: str, mask: str, output: str, **given: Any) -> None:
+@built(output=OutputRequest, at_stake=StakesRequest)
+def command(
+    session: Session,
+    network: str,
+    mask: str,
+    output: OutputRequest,
+    at_stake: StakesRequest,
+    priority: str | None,
+    dem: str | None,
+    ignitions: str | None,
+    **given: str | None,
+) -> None:
     """Take BREAKS on NETWORK apart into segments to build, best first.
 
     Each segment separates two compartments of fuel, and has an order of building, a length, width, area, mean slope
@@ -52,28 +64,29 @@ def command(session: Session, network: str, mask: str, output: str, **given: Any
     from firebreak_gis.rasters import files_behind, read_variable
     from firebreak_gis.spread.raster import read_network
 
-    named = (given["priority"], given["dem"], given["ignitions"])
-    inputs = files_behind([network, mask, *filter(None, named), *stakes.stake_files(given)])
-    files = [output] + ([given["compartments"]] if given["compartments"] else [])
+    parts = given["compartments"]
+    inputs = files_behind([network, mask, *filter(None, (priority, dem, ignitions)), *at_stake.sources])
+    files = [output.output] + ([parts] if parts else [])
     for name in files:
-        require_writable(name, overwrite=given["overwrite"], forbid=inputs)
-    spread, at_stake = stakes.network_and_stakes(read_network(network), given)
+        require_writable(name, overwrite=output.overwrite, forbid=inputs)
+    untouched = read_network(network)
+    barred, placed = at_stake.read(untouched.grid, ignitions=ignitions).on(untouched)
     cut = read_variable(mask, "breaks")
     session.progress(0.2, "segments")
     lines, polygons = segments(
-        spread,
+        barred,
         cut,
-        priority=read_variable(given["priority"], "priority") if given["priority"] else None,
-        elevation=value_plane(given["dem"], spread.grid, what="elevation", fill=float("nan")) if given["dem"] else None,
-        cost=at_stake.cost,
-        value=at_stake.value,
-        ignition=at_stake.ignition,
+        priority=read_variable(priority, "priority") if priority else None,
+        elevation=value_plane(dem, barred.grid, what="elevation", fill=float("nan")) if dem else None,
+        cost=placed.cost,
+        value=placed.value,
+        ignition=placed.ignition,
     )
     session.progress(0.7, "compartments")
-    _, table = compartments(spread, cut, value=at_stake.value, ignition=at_stake.ignition)
-    write_segments(output, lines, polygons, overwrite=given["overwrite"], forbid=inputs)
-    if given["compartments"]:
-        write_compartments(given["compartments"], table, overwrite=given["overwrite"], forbid=inputs)
+    _, table = compartments(barred, cut, value=placed.value, ignition=placed.ignition)
+    write_segments(output.output, lines, polygons, overwrite=output.overwrite, forbid=inputs)
+    if parts:
+        write_compartments(parts, table, overwrite=output.overwrite, forbid=inputs)
     length = float(lines["length_m"].sum()) / 1000.0
     stages = int(polygons["stage"].max()) if len(polygons) else 0
     session.finish(

@@ -1,0 +1,103 @@
+"""What is asked of the spread model: its name, its parameters and the weather, which may be rasters.
+
+To add a quantity of the weather: add a field to `SpreadRequest`, its name among the model's parameters to `WEATHER`,
+how it is read to `SpreadRequest.params`, and an option of that name to `cli.options.spread`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from firebreak_gis import plugins
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.landscape.planes import moisture_plane, wind_planes
+
+if TYPE_CHECKING:
+    from firebreak_gis.grid import Grid
+
+#: Fields for wind and moisture, and the parameters of spread models that they set.
+WEATHER: Mapping[str, str] = MappingProxyType(
+    {"wind_speed": "wind_speed", "wind_from": "wind_from_direction", "moisture": "moisture"}
+)
+
+
+@dataclass(frozen=True)
+class SpreadRequest:
+    """A spread model and its weather.
+
+    Parameters
+    ----------
+    model, model_params
+        Name and parameters, see `spread.spread_network`; what is given here wins over the weather.
+    wind_speed, wind_from, moisture
+        [m/s], [degrees], [1]: numbers, or rasters on any grid; None is left to the model.
+    clock
+        Whether the model is to tell how long fire takes, too.
+    """
+
+    model: str = "alexandridis"
+    model_params: Mapping[str, Any] = field(default_factory=dict)
+    wind_speed: float | str | None = None
+    wind_from: float | str | None = None
+    moisture: float | str | None = None
+    clock: bool = False
+
+    @property
+    def weather(self) -> dict[str, float | str]:
+        """What is given of the weather, by field."""
+        given = {name: getattr(self, name) for name in WEATHER}
+        return {name: value for name, value in given.items() if value is not None}
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """Names of rasters."""
+        return tuple(value for value in self.weather.values() if isinstance(value, str))
+
+    def require(self) -> None:
+        """Refuse what the model does not know, or numbers out of its range, before any raster is read.
+
+        Raises
+        ------
+        ParameterError
+            Naming the parameter.
+        """
+        module = plugins.load("spread", self.model)
+        known = self._known()
+        for option, value in self.weather.items():
+            if WEATHER[option] not in known and value != 0.0:
+                flag = option.replace("_", "-")
+                raise ParameterError(f"the spread model {self.model!r} knows no {WEATHER[option]}; leave --{flag} out")
+        if self.clock and "clock" not in known and self.model != "raster":
+            raise ParameterError(f"the spread model {self.model!r} tells no times; leave --clock out")
+        numbers = {
+            WEATHER[option]: value
+            for option, value in self.weather.items()
+            if isinstance(value, float) and WEATHER[option] in known
+        }
+        plugins.build_params(module, {**numbers, **self.model_params})
+
+    def params(self, grid: Grid) -> dict[str, Any]:
+        """Parameters of the spread model; rasters of the weather are laid on the grid.
+
+        Raises
+        ------
+        InputError
+            If a raster cannot be laid on the grid.
+        """
+        planes: dict[str, Any] = {}
+        if self.wind_speed is not None or self.wind_from is not None:
+            speed, direction = wind_planes(self.wind_speed or 0.0, self.wind_from or 0.0, grid)
+            planes |= {"wind_speed": speed, "wind_from": direction}
+        if self.moisture is not None:
+            planes["moisture"] = moisture_plane(self.moisture, grid)
+        known = self._known()
+        told = {WEATHER[option]: plane for option, plane in planes.items() if WEATHER[option] in known}
+        if self.clock and "clock" in known:
+            told["clock"] = True
+        return {**told, **self.model_params}
+
+    def _known(self) -> set[str]:
+        return {f.name for f in fields(plugins.load("spread", self.model).Params)}

@@ -1,0 +1,77 @@
+"""What is asked of a plan: one typed value, built once, by the command, by `pipeline.plan` or from a `run.json`.
+
+It is made of parts that other commands take as well: the layers and their grid (`align`), the spread model and the
+weather (`network`), what a planner adds (`rank`, `segments`, `compare`), the fires (`burn`, `evaluate`, `compare`) and
+where the result goes (all). A part lies beside the code that reads it; its docstring says how to add an option. The
+command line fills every part by the names of its fields (`cli.options.built`), so that an option is typed in two
+places: the field, and its `click.option` with the text that help pages and QGIS show.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from firebreak_gis.breaks import Budget, BudgetUnit
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.request import LandscapeRequest
+from firebreak_gis.landscape.stake_layers import StakesRequest
+from firebreak_gis.landscape.weather import SpreadRequest
+from firebreak_gis.simulation.request import FireRequest
+
+
+@dataclass(frozen=True)
+class DesignRequest:
+    """How the breaks are chosen, and how much may be cut.
+
+    Parameters
+    ----------
+    method, method_params
+        Ranking and its parameters, see `design.design`.
+    budget, budget_unit
+        See `breaks.Budget`.
+    width
+        Least width of the breaks [m].
+    refine
+        Whether they are improved by local search.
+    """
+
+    method: str = "dissection"
+    method_params: Mapping[str, Any] = field(default_factory=dict)
+    budget: float = 0.1
+    budget_unit: BudgetUnit = "share"
+    width: float | None = None
+    refine: bool = False
+
+    @property
+    def amount(self) -> Budget:
+        """How much may be cut."""
+        return Budget(self.budget, self.budget_unit)
+
+
+@dataclass(frozen=True)
+class PlanRequest:
+    """A plan.
+
+    Parameters
+    ----------
+    design, spread, fires, stakes
+        Rankings and budget, spread model and weather, fires, and what a planner adds. The leak of the breaks is that
+        of the fires, as is the seed of the design.
+    layers, output
+        What is read and written; None where the landscape is at hand, and the plan stays in memory.
+    """
+
+    design: DesignRequest = field(default_factory=DesignRequest)
+    spread: SpreadRequest = field(default_factory=SpreadRequest)
+    fires: FireRequest = field(default_factory=FireRequest)
+    stakes: StakesRequest = field(default_factory=StakesRequest)
+    layers: LandscapeRequest | None = None
+    output: OutputRequest | None = None
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """Names that may be those of files that go in."""
+        layers = () if self.layers is None else self.layers.sources
+        return (*layers, *self.fires.sources, *self.spread.sources, *self.stakes.sources)
