@@ -7,6 +7,7 @@ commonest. "Coarser" means that a cell of the grid covers at least two of the la
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 
 #: A cell of the grid that covers this many cells of a layer is filled by average or mode.
 COARSER = 2.0
+#: Class codes may be off whole numbers by so much: programs compute them in floating point.
+ROUNDING = 1e-5
 #: Stands for "no data" among class codes.
 MISSING = -1
 
@@ -65,8 +68,18 @@ def plan(header: Header, grid: Grid) -> Plan:
     return Plan(_window(upright, header, grid, sides), copy=False, coarser=coarser, cells=sides)
 
 
-def align_values(header: Header, grid: Grid, name: str, account: Account) -> np.ndarray:
+def align_values(
+    header: Header, grid: Grid, name: str, account: Account, *, settle: Callable[[np.ndarray], np.ndarray] | None = None
+) -> np.ndarray:
     """Return a quantity on the grid as float32 (rows, cols), NaN for no data.
+
+    Parameters
+    ----------
+    header, grid, name, account
+        The layer, where it goes, its name for messages, and where is written what was done.
+    settle
+        Takes the float32 values as they lie in the layer, NaN for no data, and returns those that count: units, voids
+        and flags must be settled before neighbours are mixed. It may raise.
 
     Raises
     ------
@@ -74,10 +87,51 @@ def align_values(header: Header, grid: Grid, name: str, account: Account) -> np.
         If the values cannot be used (see `rasters.read_cells`).
     """
     how = plan(header, grid)
+    values = _values(header, how, name, account)
+    if settle is not None and values.size:
+        values = settle(values)
+    account.alignment.append(_sentence(name, header, how, grid, "average" if how.coarser else "bilinear"))
+    return _mixed(values, header, how, grid)
+
+
+def align_quantity(
+    header: Header, grid: Grid, name: str, account: Account, flagged: Callable[[np.ndarray], np.ndarray]
+) -> np.ndarray:
+    """Return a quantity among whose values stand flags, such as 255 for "outside"; flags are never mixed with it.
+
+    A cell of the grid takes a flag where the nearest cell (cells coarser than the layer's: the commonest) has it, else
+    the quantity of the cells without.
+
+    Parameters
+    ----------
+    header, grid, name, account
+        As in `align_values`.
+    flagged
+        Takes float32 values, NaN for no data; returns which of them are flags.
+    """
+    how = plan(header, grid)
+    values = _values(header, how, name, account)
+    account.alignment.append(_sentence(name, header, how, grid, "average" if how.coarser else "bilinear"))
+    flags = flagged(values)
+    if how.copy or not flags.any():
+        return _mixed(values, header, how, grid)
+    quantity = _mixed(np.where(flags, np.float32(np.nan), values), header, how, grid)
+    words, codes = np.unique(values[flags], return_inverse=True)
+    votes = np.where(np.isnan(values), MISSING, 0).astype(np.int32)
+    votes[flags] = codes + 1
+    voted = (mode if how.coarser else nearest)(votes, _placed(header, how), grid, MISSING)
+    account.alignment.append(f"{name}: its flags {', '.join(f'{word:g}' for word in words[:8])} were not mixed with it")
+    return np.where(voted > 0, words[np.maximum(voted - 1, 0)], quantity)
+
+
+def _values(header: Header, how: Plan, name: str, account: Account) -> np.ndarray:
+    """Values of the part of a layer that is read, float32, NaN for no data."""
     cells = _read(header, how, account.strict, sentinels=True)
     _tell(cells, name, account)
-    values = np.where(cells.valid, cells.values, np.nan).astype(np.float32)
-    account.alignment.append(_sentence(name, header, how, grid, "average" if how.coarser else "bilinear"))
+    return np.where(cells.valid, cells.values, np.nan).astype(np.float32)
+
+
+def _mixed(values: np.ndarray, header: Header, how: Plan, grid: Grid) -> np.ndarray:
     if how.copy:
         return values
     if not values.size:
@@ -181,14 +235,16 @@ def _read(header: Header, how: Plan, strict: bool, sentinels: bool) -> Cells:
 def _as_codes(cells: Cells, header: Header, name: str) -> np.ndarray:
     inside = cells.values[cells.valid]
     if inside.dtype.kind == "f":
-        broken = inside[inside != np.round(inside)]
+        whole = np.round(inside)
+        broken = inside[np.abs(inside - whole) > ROUNDING]
         if broken.size:
             raise InputError(
-                f"{header.path} holds fractions such as {broken[0]:g} where class codes are expected; it "
+                f"{header.path} holds fractions such as {broken[0]:.10g} where class codes are expected; it "
                 f"looks resampled: make it "
                 "again with nearest, or, if it is a quantity such as cover in percent, give a legend with "
                 "ranges"
             )
+        inside = whole
     if inside.size and (inside.min() < -(2**31) or inside.max() >= 2**31):
         raise InputError(f"{header.path} holds codes up to {inside.max():g}, too great for class codes")
     if inside.size and (inside < 0).any():

@@ -127,6 +127,9 @@ def _look_up(values: np.ndarray, legend: Legend, name: str, grid: Grid, account:
     """Index of the legend's entry for each cell, -1 where there is no data."""
     index = legend.find(values)
     strange = (index < 0) & np.isfinite(values)
+    missing = legend.column("missing", 0)
+    if missing.any():
+        index = np.where(missing[index] == 1, -1, index)
     if not strange.any():
         return index
     told = _areas(values[strange], legend, grid)

@@ -57,6 +57,8 @@ class Header:
         Metadata of the file.
     notes
         Sentences on what was ignored.
+    declared
+        Whether the user said which values mean "no data": then no others are looked for.
     array
         The values, for data in memory.
     remote
@@ -79,6 +81,7 @@ class Header:
     located_by: str = ""
     tags: Mapping[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    declared: bool = False
     array: np.ndarray | None = None
     remote: bool = False
 
@@ -159,6 +162,7 @@ def read_header(
             tags=dict(source.tags()),
             notes=notes,
             remote=remote,
+            declared=src_nodata is not None,
         )
 
 
@@ -194,6 +198,7 @@ def header_of_array(data: xr.DataArray, *, src_nodata: float | Sequence[float] |
         units=str(data.attrs.get("units", "")),
         vertical=None if grid.crs is None else vertical_factor(grid.crs),
         notes=notes,
+        declared=src_nodata is not None,
         array=flat.to_numpy(),
     )
 

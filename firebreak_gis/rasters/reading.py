@@ -76,7 +76,7 @@ def read_cells(header: Header, window: Window | None = None, *, strict: bool = F
         valid &= ~_is_value(values, value)
     if values.dtype.kind == "f":
         valid &= ~np.isnan(values)
-    if sentinels and not header.nodata and not header.masked:
+    if sentinels and not header.nodata and not header.masked and not header.declared:
         found = undeclared_nodata(values, valid)
         if found:
             text = ", ".join(f"{v:g}" for v in found)

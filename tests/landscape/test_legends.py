@@ -225,7 +225,10 @@ HEADER = "code,vegetation,density,label\n"
         ("# only a comment\n", "is empty"),
         (HEADER, "no codes"),
         ("kode,vegetation\n1,pines\n", "line 1: got the columns kode, vegetation"),
-        ("code;vegetation;density\n1;pines;dense\n", "separated by commas"),
+        ("code|vegetation|density\n1|pines|dense\n", "separated by commas"),
+        (HEADER + "1,pines,dense,a\nextends,korine\n", "line 3: no legend 'korine' to extend"),
+        ("extends\n" + HEADER + "1,pines,dense,a\n", "line 1: expected one line extends,NAME"),
+        ("extends,tree_cover_density\ncode,density\n20..50,dense\n", "line 3: the code overlaps that of line 1"),
         ("code,label\n1,pines\n", "expected code, vegetation, density, label"),
         (HEADER + "1,pine,dense,a\n", "line 2: the vegetation is 'pine', expected one of none, agricultural"),
         (HEADER + "1,pines,thick,a\n", "line 2: the density is 'thick'"),
@@ -259,3 +262,76 @@ def test_unreadable_legends_are_refused(tmp_path):
     path.write_bytes("code,vegetation\n1,pines\n# für\n".encode("latin-1"))
     with pytest.raises(LegendError, match="UTF-8"):
         read_legend(path)
+
+
+def own(tmp_path, content, name="own.csv"):
+    path = tmp_path / name
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return read_legend(path)
+
+
+PLAIN = "code,vegetation,density,label\n10,pines,dense,a\n20,0.55,,b\n30,none,,\n"
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        PLAIN.replace(",", ";"),
+        PLAIN.replace(",", ";").replace("0.55", "0,55"),
+        PLAIN.replace(",", "\t"),
+        PLAIN.replace("10,", "10.0,").replace("20,", "20.000,"),
+        PLAIN.encode("utf-16"),
+        PLAIN.replace(",", "\t").encode("utf-16"),
+        b"\xfe\xff" + PLAIN.encode("utf-16-be"),
+        PLAIN.encode("utf-8-sig"),
+        PLAIN.replace("\n", ",,\n") + ",,,,,\n",  # as spreadsheets fill lines up
+        PLAIN.replace("\n", "\r\n"),
+        "# why, and; how\n" + PLAIN.replace(",", ";"),
+    ],
+)
+def test_legends_read_the_same_however_programs_write_them(tmp_path, content):
+    assert own(tmp_path, content).entries == own(tmp_path, PLAIN, "plain.csv").entries
+
+
+def test_a_legend_extends_another(tmp_path):
+    base = read_legend("scott_burgan_40")
+    legend = own(
+        tmp_path, "extends,scott_burgan_40\ncode,vegetation,density,label\n165,none,,cut\n300,pines,dense,own\n"
+    )
+    found = {entry.low: entry for entry in legend.entries}
+    assert set(found) == {*base.codes, 300.0}
+    assert (found[165].vegetation, found[300].vegetation, found[300].density) == (0, 3, 3)
+    assert [e for e in legend.entries if e.low not in (165, 300)] == [e for e in base.entries if e.low != 165]
+    assert any(line.startswith("Source:") for line in legend.about)
+
+
+def test_legends_extend_files_beside_them_and_in_chains(tmp_path):
+    own(tmp_path, "extends;corine_grid\ncode;vegetation;density\n23;pines;dense\n", "first.csv")
+    second = own(tmp_path, "extends,first.csv\ncode,vegetation,density\n24,none,\n", "second.csv")
+    found = {entry.low: entry.vegetation for entry in second.entries}
+    assert (found[23], found[24], found[25], len(found)) == (3, 0, 3, 45)
+    assert own(tmp_path, "extends,corine_grid\n", "same.csv").entries == read_legend("corine_grid").entries
+
+
+def test_circles_of_legends_are_refused(tmp_path):
+    for one, other in (("a", "b"), ("b", "a")):
+        (tmp_path / f"{one}.csv").write_text(f"extends,{other}.csv\ncode,vegetation\n1,none\n")
+    with pytest.raises(LegendError, match="circle"):
+        read_legend(tmp_path / "a.csv")
+
+
+def test_an_own_range_takes_the_place_of_ranges_within_it(tmp_path):
+    legend = own(tmp_path, "extends,tree_cover_density\ncode,density\n0..70,sparse\n")
+    assert [(entry.low, entry.high) for entry in legend.entries] == [(0, 70), (70, 100), (254, 254), (255, 255)]
+
+
+def test_flags_are_no_data_and_stand_apart_from_ranges():
+    cover = read_legend("tree_cover_density")
+    values = np.array([0.0, 99.5, 100.0, 100.5, 254.0, 255.0, -1.0, np.nan])
+    assert cover.flagged(values).tolist() == [False, False, False, True, True, True, True, False]
+    assert [cover.entries[i].missing for i in cover.find(np.array([254.0, 255.0]))] == [True, True]
+    assert cover.has_density
+    grid = read_legend("corine_grid")
+    assert grid.entries[grid.find(np.array([48.0]))[0]].missing
+    assert grid.has_vegetation
+    assert grid.has_density

@@ -28,7 +28,7 @@ def command(session: Session, name: str | None) -> None:
         session.finish({"legends": found, "about": about}, "\n".join([*lines, "firebreak legends NAME shows one."]))
         return
     legend = legends.read_legend(name)
-    rows = [_row(entry) for entry in legend.entries]
+    rows = [_row(entry, legend.has_vegetation) for entry in legend.entries]
     lines = [f"# {line}" for line in legend.about]
     lines.append(f"{'code':>12}  {'vegetation':13} {'density':9} label")
     lines += [f"{row['code']:>12}  {row['vegetation']:13} {_shown(row):9} {row['label']}" for row in rows]
@@ -43,8 +43,12 @@ def _shown(row: Mapping[str, str]) -> str:
     return row["density"] + "*" * bool(replaced)
 
 
-def _row(entry: legends.Entry) -> dict[str, str]:
+def _row(entry: legends.Entry, has_vegetation: bool) -> dict[str, str]:
     code = f"{entry.low:g}" if entry.low == entry.high else f"{entry.low:g} .. {entry.high:g}"
+    if entry.missing:
+        column = "vegetation" if has_vegetation else "density"
+        blank = {"vegetation": "", "density": "", "density_from_raster": "no", "label": entry.label}
+        return {"code": code, **blank, column: legends.NO_DATA}
     return {
         "code": code,
         "vegetation": _word(entry.vegetation, entry.vegetation_effect, VEGETATION),
