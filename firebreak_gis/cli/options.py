@@ -243,7 +243,8 @@ def landscape(command: F) -> F:
             multiple=True,
             callback=kinds.LAYER_NODATA,
             metavar="LAYER=VALUES",
-            help="Values that mean no data in dem, vegetation or density, e.g. dem=-9999,32767; may be repeated.",
+            help="Values that mean no data in dem, vegetation or density, e.g. dem=-9999,32767; dem=none says "
+            "that all are data; may be repeated.",
         ),
         click.option(
             "--bidx",

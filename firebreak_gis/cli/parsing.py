@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -123,8 +123,8 @@ def layer_crs(words: Iterable[str], _: str = "") -> dict[str, str]:
 
 
 def layer_numbers(words: Iterable[str], option: str) -> dict[str, list[float]]:
-    """Read LAYER=VALUE,VALUE words; what is given twice for a layer is added up."""
-    return _layer_values(words, option, float)
+    """Read LAYER=VALUE,VALUE words; what is given twice for a layer is added up. "none" is NaN: no value at all."""
+    return _layer_values(words, option, lambda word: float("nan") if word.strip().lower() == "none" else float(word))
 
 
 def layer_band(words: Iterable[str], option: str) -> dict[str, int]:
@@ -132,7 +132,7 @@ def layer_band(words: Iterable[str], option: str) -> dict[str, int]:
     return {layer: numbers[-1] for layer, numbers in _layer_values(words, option, int).items()}
 
 
-def _layer_values(words: Iterable[str], option: str, kind: type) -> dict[str, list[Any]]:
+def _layer_values(words: Iterable[str], option: str, kind: Callable[[str], Any]) -> dict[str, list[Any]]:
     result: dict[str, list[Any]] = {}
     for word in words:
         ((layer, text),) = pairs((word,), option).items()

@@ -402,3 +402,20 @@ def test_inputs(row, tmp_path, monkeypatch):
     assert error["exit_code"] == code == outcome.exit_code
     assert error["kind"] in {"input", "crs", "grid", "legend", "resource", "parameter"}
     assert parts[0] in error["message"]
+
+
+def test_a_lowest_value_that_is_asked_about_can_be_settled_on_the_command_line(tmp_path):
+    heights = relief(40, 50) + 300
+    heights[10:20, 10:20] = 0
+    dem = write(tmp_path / "d.tif", heights)
+    vegetation = write(tmp_path / "v.tif", np.full(heights.shape, 2, np.uint8))
+    common = ["align", str(dem), str(vegetation), "normal", "--overwrite", "-o", str(tmp_path / "out")]
+    asked = CliRunner().invoke(firebreak, common)
+    assert asked.exit_code == 3
+    assert "--src-nodata dem=0 if it means no data, --src-nodata dem=none if it is ground" in asked.stderr
+    for word, lowest in (("0", 300), ("none", 0)):
+        done = CliRunner().invoke(firebreak, [*common, "--src-nodata", f"dem={word}"])
+        assert done.exit_code == 0, done.stderr
+        with rasterio.open(tmp_path / "out/elevation.tif") as source:
+            assert source.read(1, masked=True).min() >= lowest
+            assert (source.read(1) == 0).any() == (word == "none")
