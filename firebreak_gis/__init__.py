@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from firebreak_gis.rasters import write_raster
     from firebreak_gis.simulation.distributed import simulate_distributed
     from firebreak_gis.simulation.fires import burn_curve, simulate
-    from firebreak_gis.spread import spread_network
+    from firebreak_gis.simulation.weather_reading import read_weather
+    from firebreak_gis.spread import spread_network, weather_networks
     from firebreak_gis.spread.artificial import forest
     from firebreak_gis.spread.raster import read_network
     from firebreak_gis.vectors import write_vector
@@ -39,12 +40,14 @@ _HOMES = {
     "rank": "ranking",
     "read_landscape": "landscape",
     "read_network": "spread.raster",
+    "read_weather": "simulation.weather_reading",
     "removal_order": "breaks",
     "select_breaks": "breaks",
     "simulate": "simulation.fires",
     "simulate_distributed": "simulation.distributed",
     "spread_network": "spread",
     "SpreadNetwork": "network",
+    "weather_networks": "spread",
     "write_raster": "rasters",
     "write_vector": "vectors",
 }

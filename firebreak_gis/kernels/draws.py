@@ -28,7 +28,7 @@ _HIGH = np.uint64(0x8080808080808080)
 _ONES = np.uint64(0x0101010101010101)
 
 #: What a stream is for; part of the key, so that purposes never share draws.
-PURPOSES = ("edges", "ignitions", "ranking", "forest", "pivots")
+PURPOSES = ("edges", "ignitions", "ranking", "forest", "pivots", "durations", "weather", "embers", "hold")
 
 
 class Thresholds(NamedTuple):

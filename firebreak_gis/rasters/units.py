@@ -170,6 +170,11 @@ ANGLE = Quantity(
         **dict.fromkeys(("gon", "grad", "grads"), 0.9),
     },
 )
+TIME = Quantity(
+    "a time",
+    "s",
+    {**_SECOND, **_MINUTE, **_HOUR, **dict.fromkeys(("d", "day", "days"), 86_400.0)},
+)
 _AREAS = {
     **dict.fromkeys(("ha", "hectare", "hectares"), 1.0),
     **dict.fromkeys(("m2", "m²", "m^2", "sqm"), 10_000.0),

@@ -20,10 +20,12 @@ from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.network import SpreadNetwork
-from firebreak_gis.plugins import build_params, load
+from firebreak_gis.plugins import build_params, describe, load
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from firebreak_gis.simulation.weather import Step, Weather, WeatherNetworks
 
 #: Neighbours that a cell can light: all eight, or the four that share a side with it.
 Neighbourhood = Literal["moore", "von_neumann"]
@@ -110,3 +112,65 @@ def spread_network(
         travel_time=spread.travel_time,
         heat=spread.heat,
     )
+
+
+def weather_networks(
+    landscape: xr.Dataset,
+    weather: Weather | str,
+    *,
+    model: str = "alexandridis",
+    clock: bool = True,
+    keep: int = 4,
+    **params: Any,
+) -> WeatherNetworks:
+    """Networks of a landscape in every weather of an ensemble, made when asked for.
+
+    Parameters
+    ----------
+    landscape
+        As in `spread_network`.
+    weather
+        From `read_weather`; or what that function reads, a file or a wind rose.
+    model
+        Name of a spread model that knows wind.
+    clock
+        Whether the networks have travel times. Weather that changes with time needs them.
+    keep
+        So many networks are kept at a time, those used last.
+    **params
+        Other parameters of the model. `moisture` holds where the weather tells none.
+
+    Returns
+    -------
+    WeatherNetworks
+        `networks[i]` is the landscape in `networks.weather.spells[i]`.
+
+    Raises
+    ------
+    ParameterError
+        If the model knows no wind, or the wind is also given as a parameter, or the weather changes without a clock.
+    """
+    from firebreak_gis.simulation.weather import WeatherNetworks
+    from firebreak_gis.simulation.weather_reading import read_weather
+
+    ensemble = read_weather(weather)
+    wet = any(step.moisture is not None for spell in ensemble.spells for step in spell.steps)
+    told = ("wind_speed", "wind_from_direction", *(["moisture"] if wet else []))
+    known = {p["name"] for p in describe("spread", model)["parameters"]}
+    needed = {*told, *(["clock"] if clock else [])}
+    if not needed <= known:
+        raise ParameterError(
+            f"the spread model {model!r} knows no {', '.join(sorted(needed - known))}, so it cannot follow the weather"
+        )
+    twice = [name for name in told if name in params]
+    if twice:
+        raise ParameterError(f"{', '.join(twice)} is told by the weather and given besides; give it once")
+    if not clock and not ensemble.steady:
+        raise ParameterError("weather that changes with time needs fires with a clock; give a duration")
+    given = {**params, **({"clock": True} if clock else {})}
+
+    def build(step: Step) -> SpreadNetwork:
+        conditions = {name: value for name, value in step._asdict().items() if value is not None}
+        return spread_network(landscape, model=model, **(given | conditions))
+
+    return WeatherNetworks(ensemble, build, keep=keep)
