@@ -10,7 +10,7 @@ import numpy as np
 
 from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import UNREFERENCED, Grid, parse_crs
-from firebreak_gis.lattice import COL_STEP, DIRECTIONS, LONGEST, NEVER, OPPOSITE, ROW_STEP, STEP_LENGTH
+from firebreak_gis.lattice import COL_STEP, DIRECTIONS, LONGEST, NEVER, OPPOSITE, ROW_STEP
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -196,12 +196,6 @@ class SpreadNetwork:
             heat=self.heat,
         )
 
-    def sharing(self, other: SpreadNetwork) -> SpreadNetwork:
-        """Return this network, with the probabilities of `other` in place of its own if they are equal: one array."""
-        if self.shape == other.shape and np.array_equal(self.probability, other.probability):
-            object.__setattr__(self, "probability", other.probability)
-        return self
-
     def rate(self) -> np.ndarray:
         """Rate of spread along the map of a fire that goes from the cell in each direction [m/h].
 
@@ -215,13 +209,11 @@ class SpreadNetwork:
         InputError
             If the network has no times, or its grid is not one of square cells in metres.
         """
+        from firebreak_gis.kernels.rate import rates
+
         times = self.require_times("a rate of spread")
         self.grid.require_metres("rates of spread")
-        out = np.zeros(times.shape, np.float32)
-        for d in range(8):
-            length = np.float32(3600.0 * self.grid.cell_size * STEP_LENGTH[d])
-            np.divide(length, times[d], out=out[d], where=times[d] != NEVER, casting="same_kind")
-        return out
+        return rates(times, self.grid.cell_size)
 
     def intensity(self) -> np.ndarray:
         """Fire-line intensity of a fire that goes from the cell in each direction [kW/m].

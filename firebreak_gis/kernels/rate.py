@@ -91,3 +91,12 @@ def fill_travel_time(
                         rate *= min(max(factor, limits.factor_least), limits.factor_greatest)
                     seconds = np.rint(length / min(max(rate, limits.rate_least), limits.rate_greatest))
                     out[d, row, col] = np.uint32(min(max(seconds, 1.0), _LONGEST))
+
+
+def rates(travel_time: np.ndarray, cell_size: float) -> np.ndarray:
+    """Rates of spread along the map [m/h], (8, rows, cols) float32, from travel times; 0 where there is no edge."""
+    out = np.zeros(travel_time.shape, np.float32)
+    for d in range(8):
+        length = np.float32(3600.0 * cell_size * STEP_LENGTH[d])
+        np.divide(length, travel_time[d], out=out[d], where=travel_time[d] != NEVER, casting="same_kind")
+    return out

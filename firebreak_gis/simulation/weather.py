@@ -244,7 +244,7 @@ class WeatherNetworks:
         if key not in self._kept:
             made = self._make(spell)
             for other in self._kept.values():
-                made = made._replace(network=made.network.sharing(other.network))
+                _share(made.network, other.network)
             self._kept[key] = made
             while len(self._kept) > self._keep:
                 self._kept.popitem(last=False)
@@ -283,6 +283,12 @@ class WeatherNetworks:
             heat=heat,
         )
         return Conditions(whole, starts, tuple(made[step][1] for step in spell.steps))
+
+
+def _share(network: SpreadNetwork, other: SpreadNetwork) -> None:
+    """Let equal probabilities be one array: networks that differ by the wind alone have them under a clock."""
+    if np.array_equal(network.probability, other.probability):
+        object.__setattr__(network, "probability", other.probability)
 
 
 def _lengths(spell: Spell) -> np.ndarray:
