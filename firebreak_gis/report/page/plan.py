@@ -1,0 +1,313 @@
+"""The report page of a plan or a comparison, from what its folder holds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.grid import Grid, crs_name
+from firebreak_gis.report.page import pictures
+from firebreak_gis.report.page.content import Curve, Outlines, Page, Picture, Row
+
+if TYPE_CHECKING:
+    import geopandas as gpd
+    import pandas as pd
+
+#: Colours of stages of building, first to last, told apart on light and dark ground.
+_STAGE_COLOURS = ("#7a0177", "#c51b8a", "#f768a1", "#2c7fb8", "#1f4fd8")
+_UNIT_NAMES = {"ha": "hectares", "share": "of the fuel", "cost": "money"}
+
+
+def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
+    """Return the page of a plan.
+
+    Parameters
+    ----------
+    parts
+        By file name, what the plan was written as: rasters as (y, x) DataArrays, `segments.gpkg` and
+        `compartments.gpkg` as GeoDataFrames (of segments the polygons), tables as DataFrames. What is not there is
+        left out of the page.
+    account
+        As `run.json` holds it.
+
+    Returns
+    -------
+    Page
+    """
+    grid = Grid.of(parts["breaks.tif"])
+    transform = grid.transform
+    size = (grid.shape[1] * grid.cell_size, grid.shape[0] * grid.cell_size)
+    origin = (float(transform.c), float(transform.f) - size[1])
+    summary = account.get("summary", {})
+    drawn = _outlines(parts, origin)
+    return Page(
+        title=_title(account),
+        headline=tuple(account.get("headline") or _headline(summary)),
+        assumptions=tuple(account.get("assumptions", ())),
+        warnings=tuple(account.get("warnings", ())),
+        figures=_figures(summary),
+        size=size,
+        origin=(*origin, "" if grid.crs is None else crs_name(grid.crs)),
+        pictures=_pictures(parts, grid),
+        outlines=drawn,
+        curve=_curve(parts.get("evaluation.csv"), account),
+        segments=_segments(parts.get("segments.gpkg")),
+        files=tuple((name, label) for name, label in account.get("files", ()) if name != "report.html"),
+        provenance=_provenance(account),
+    )
+
+
+def comparison_page(table: pd.DataFrame, account: Mapping[str, Any]) -> Page:
+    """Return the page of a comparison.
+
+    Parameters
+    ----------
+    table
+        As `comparison.csv` holds it.
+    account
+        As `run.json` holds it.
+    """
+    perfect = table[table["residual"] == table["residual"].min()] if "residual" in table else table
+    area = table.attrs.get("fuel_ha")
+    lines = []
+    for method, rows in perfect.groupby("method", sort=False):
+        rows = rows.sort_values("d_f")
+        lines.append((str(method), rows["d_f"].tolist(), rows["mean"].tolist()))
+    curve = None
+    if lines and len(lines[0][1]) > 1:
+        note = "Mean burnt share of the fuel in the simulated fires"
+        curve = Curve("What each ranking saves", note, "share of the fuel cut", lines)
+    columns = {name: name.replace("_", " ") for name in table.columns}
+    rows = tuple(
+        Row({columns[name]: _plain(value) for name, value in row.items()}, _decimals(table.rename(columns=columns)))
+        for row in table.to_dict("records")
+    )
+    return Page(
+        title="Plans compared" if area is None else f"Plans compared on {area:,.0f} ha",
+        headline=tuple(account.get("headline", ())),
+        assumptions=tuple(account.get("assumptions", ())),
+        warnings=tuple(account.get("warnings", ())),
+        curve=curve,
+        comparison=rows,
+        files=tuple((name, label) for name, label in account.get("files", ()) if name != "report.html"),
+        provenance=_provenance(account),
+    )
+
+
+def _title(account: Mapping[str, Any]) -> str:
+    asked = account.get("parameters", {})
+    unit = asked.get("budget_unit", "share")
+    budget = asked.get("budget", 0.1)
+    amount = (
+        f"{100 * float(budget):.3g} % of the fuel" if unit == "share" else f"{budget} {_UNIT_NAMES.get(unit, unit)}"
+    )
+    return f"Fire breaks by {asked.get('method', 'dissection')}, {amount}"
+
+
+def _headline(summary: Mapping[str, Any]) -> tuple[str, ...]:
+    if "burnt_share_without_breaks" not in summary:
+        return ()
+    before, after = (100 * summary[f"burnt_share_{side}_breaks"] for side in ("without", "with"))
+    sentence = (
+        f"In the mean of the simulated fires {before:.1f} % of the fuel burns without the breaks and {after:.1f} % "
+        "with them."
+    )
+    return (sentence,)
+
+
+def _figures(summary: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:
+    shown = []
+    if "ha_cut" in summary:
+        share = 100 * summary["ha_cut"] / max(summary.get("burnable_ha", 0.0), 1e-9)
+        shown.append(
+            ("Cut", f"{summary['ha_cut']:,.0f} ha", f"{share:.3g} % of {summary['burnable_ha']:,.0f} ha of fuel")
+        )
+    judged = summary.get("judged", {})
+    for name, key, note in (
+        ("Burnt in the mean", "burnt_ha", "a fire, with the breaks"),
+        ("Burnt in the worst tenth", "cvar_ha", "mean of these fires, with the breaks"),
+        ("Saved per hectare cut", "leverage", "hectares a fire"),
+    ):
+        if key in judged:
+            low, high = judged[f"{key}_low"], judged[f"{key}_high"]
+            digits = 1 if key == "leverage" else 0
+            interval = f"{note}; 95 % interval {low:,.{digits}f} to {high:,.{digits}f}"
+            shown.append((name, f"{judged[key]:,.{digits}f}" + ("" if key == "leverage" else " ha"), interval))
+    return tuple(shown)
+
+
+def _pictures(parts: Mapping[str, Any], grid: Grid) -> tuple[Picture, ...]:
+    shown: list[Picture] = []
+    if "elevation.tif" in parts:
+        elevation = parts["elevation.tif"].to_numpy()
+        # Flat ground without fuel at the foot of the range is the sea, as in the overview.
+        water = (elevation <= 0.0) & (parts["vegetation.tif"].to_numpy() == 0) if "vegetation.tif" in parts else None
+        shown.append(pictures.of_terrain(elevation, grid.cell_size, water))
+        shown.append(
+            pictures.of_numbers(
+                "elevation", elevation, key="elevation", label="Elevation [m]", base=True, form="{:.0f} m".format
+            )
+        )
+    for name, label in (("vegetation", "Vegetation type"), ("density", "Vegetation density")):
+        if f"{name}.tif" in parts:
+            shown.append(pictures.of_classes(name, parts[f"{name}.tif"].to_numpy(), key=name, label=label, base=True))
+    frequencies = [parts[name].to_numpy() for name in _SIDES if name in parts]
+    top = float(np.ceil(20 * max([0.05, *(float(np.nanmax(f, initial=0.0)) for f in frequencies)])) / 20)
+    for (key, label), values in zip(_SIDES.values(), frequencies, strict=False):
+        shown.append(
+            pictures.of_numbers(
+                "burn_frequency",
+                np.where(values > 0, values, np.nan),
+                key=key,
+                label=label,
+                low=0.0,
+                high=top,
+                shown=True,
+                form=lambda share: f"{100 * share:.3g} %",
+            )
+        )
+    for file, data in parts.items():
+        if file.startswith("arrival") and hasattr(data, "to_numpy"):
+            hours = data.to_numpy().astype(np.float64) / 3600.0
+            shown.append(
+                pictures.of_numbers(
+                    "burn_frequency",
+                    hours,
+                    key=file.removesuffix(".tif"),
+                    low=0.0,
+                    label="Arrival time of fire [h]",
+                    form="{:.1f} h".format,
+                )
+            )
+    return tuple(shown)
+
+
+#: The two sides of the slider.
+_SIDES = {
+    "burn_frequency.tif": ("before", "Burn probability without the breaks"),
+    "burn_frequency_with_breaks.tif": ("after", "Burn probability with the breaks"),
+}
+
+
+def _outlines(parts: Mapping[str, Any], origin: tuple[float, float]) -> tuple[Outlines, ...]:
+    shown = []
+    if "compartments.gpkg" in parts:
+        frame = parts["compartments.gpkg"]
+        cards = [
+            {"number": len(parts.get("segments.gpkg", ())) + k, "card": _card(row, _COMPARTMENT)}
+            for k, row in enumerate(frame.to_dict("records"))
+        ]
+        features = pictures.outlines(frame, origin, cards)
+        shown.append(Outlines("compartments", "Compartments", features, "#4a3b20"))
+    if "segments.gpkg" in parts:
+        frame = parts["segments.gpkg"]
+        stages = max(int(frame["stage"].max()), 1) if len(frame) else 1
+        cards = [
+            {
+                "number": k,
+                "colour": _STAGE_COLOURS[min(4, 5 * (int(row["stage"]) - 1) // stages)],
+                "card": _card(row, _SEGMENT),
+            }
+            for k, row in enumerate(frame.to_dict("records"))
+        ]
+        features = pictures.outlines(frame, origin, cards)
+        shown.append(Outlines("segments", "Segments to build, dark first", features, shown=True))
+    return tuple(shown)
+
+
+#: Column, its name, the digits behind the point and the unit, of what a card and the table show.
+_SEGMENT = (
+    ("order", "Segment", 0, ""),
+    ("stage", "Stage", 0, ""),
+    ("year", "Year", 0, ""),
+    ("length_m", "Length", 0, "m"),
+    ("width_m", "Width", 0, "m"),
+    ("area_ha", "Area", 2, "ha"),
+    ("mean_slope_deg", "Slope", 1, "\N{DEGREE SIGN}"),
+    ("cost", "Cost", 0, ""),
+    ("gain_share", "Share of what is saved", 2, "%"),
+)
+_COMPARTMENT = (
+    ("compartment", "Compartment", 0, ""),
+    ("area_ha", "Area", 1, "ha"),
+    ("ignition_share", "Share of ignitions", 2, "%"),
+    ("value", "Value", 0, ""),
+    ("expected_loss", "Expected loss", 1, ""),
+    ("burnt_value", "Value burnt in the simulated fires", 1, ""),
+)
+
+
+def _card(row: Mapping[Any, Any], columns: tuple[tuple[str, str, int, str], ...]) -> dict[str, str]:
+    card = {}
+    for name, text, digits, unit in columns:
+        if name in row:
+            value = _plain(row[name])
+            if unit == "%" and value is not None:
+                value = 100 * float(value)
+            card[text] = "\N{EN DASH}" if value is None else f"{value:,.{digits}f} {unit}".strip()
+    return card
+
+
+def _segments(frame: gpd.GeoDataFrame | None) -> tuple[Row, ...]:
+    if frame is None or not len(frame):
+        return ()
+    known = [
+        (name, f"{text} [{unit}]" if unit else text, digits, 100.0 if unit == "%" else 1.0)
+        for name, text, digits, unit in _SEGMENT
+        if name in frame
+    ]
+    decimals = {text: digits for _, text, digits, _ in known}
+    summed = frozenset(text for name, text, _, _ in known if name in ("area_ha", "cost", "gain_share", "length_m"))
+    rows = []
+    for number, row in enumerate(frame.to_dict("records")):
+        cells = {}
+        for name, text, digits, factor in known:
+            value = _plain(row[name])
+            cells[text] = None if value is None else round(factor * float(value), digits + 2)
+        rows.append((row["order"], Row(cells, decimals, summed, number)))
+    return tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
+
+
+def _curve(table: pd.DataFrame | None, account: Mapping[str, Any]) -> Curve | None:
+    if table is None or not len(table):
+        return None
+    lines = [
+        (str(method), rows["d_f"].tolist(), rows["mean"].tolist())
+        for method, rows in table.groupby("method", sort=False)
+    ]
+    summary = account.get("summary", {})
+    share = summary.get("cells_cut", 0) / max(summary.get("burnable_cells", 1), 1)
+    note = account.get("curve_note") or (
+        "Mean burnt share of the fuel when the first cells of each ranking are cut, burning until no fire can go on "
+        "and breaks perfect. The dashed line is this plan."
+    )
+    return Curve("Burnt share against share cut", note, "share of the fuel cut", lines, share or None)
+
+
+def _provenance(account: Mapping[str, Any]) -> tuple[tuple[str, str], ...]:
+    rows = [("Program", f"{account.get('software', 'firebreak_gis')} {account.get('version', '')}".strip())]
+    if account.get("grid"):
+        rows.append(("Grid", str(account["grid"])))
+    rows += [
+        (f"Input {entry['path']}", f"SHA-256 {entry.get('sha256', 'not known')}") for entry in account.get("inputs", ())
+    ]
+    rows += [("Alignment", sentence) for sentence in account.get("alignment", ())]
+    rows += [("What can be reached", sentence) for sentence in account.get("feasibility", ())]
+    asked = account.get("parameters", {})
+    rows.append(("Parameters", ", ".join(f"{name} = {value}" for name, value in sorted(asked.items()))))
+    return tuple((name, value) for name, value in rows if value)
+
+
+def _decimals(table: pd.DataFrame) -> dict[str, int]:
+    return {
+        str(name): 4 if table[name].abs().max() < 10 else 1 for name in table.columns if table[name].dtype.kind == "f"
+    }
+
+
+def _plain(value: Any) -> Any:
+    """A value as JSON holds it; None for NaN."""
+    value = value.item() if hasattr(value, "item") else value
+    return None if isinstance(value, float) and not math.isfinite(value) else value
