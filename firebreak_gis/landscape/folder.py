@@ -12,15 +12,12 @@ from firebreak_gis.errors import InputError, OutputError
 from firebreak_gis.files import make_folder, remove_file, require_writable, together
 from firebreak_gis.files.commit import unfinished
 from firebreak_gis.grid import Grid
-from firebreak_gis.landscape.fuel import LAYERS, burnable_cells
+from firebreak_gis.landscape.fuel import INSTEAD, LAYERS, burnable_cells
 from firebreak_gis.rasters import read_variable, write_raster
 from firebreak_gis.schema import annotate, validate
 
 if TYPE_CHECKING:
     import xarray as xr
-
-#: Only where a legend gives effects as numbers.
-EFFECTS = ("vegetation_effect", "density_effect")
 
 
 def write_landscape(
@@ -32,7 +29,7 @@ def write_landscape(
     forbid: Iterable[str | os.PathLike[str]] = (),
     creation_options: Mapping[str, Any] | None = None,
 ) -> list[Path]:
-    """Write the layers of a landscape as elevation.tif, vegetation.tif, density.tif (and effects).
+    """Write the layers of a landscape as elevation.tif, vegetation.tif, density.tif, and the numbers that a legend gives.
 
     Parameters
     ----------
@@ -48,7 +45,7 @@ def write_landscape(
     list of pathlib.Path
         The files, in order.
     """
-    names = [name for name in LAYERS + EFFECTS if name in dataset]
+    names = [name for name in LAYERS + INSTEAD if name in dataset]
     validate(dataset, [*LAYERS, *names[len(LAYERS) :]])
     told = {key: list(dataset.attrs[key]) for key in ("alignment", "warnings") if key in dataset.attrs}
     told |= {"legend": dataset.attrs["legend"]} if "legend" in dataset.attrs else {}
@@ -56,8 +53,8 @@ def write_landscape(
     with together(make_folder(folder), alone=True) as place:
         for name in names:
             require_writable(place / f"{name}.tif", overwrite=overwrite, forbid=barred)
-        for name in sorted(set(EFFECTS) - set(names)):
-            _remove_effect(place / f"{name}.tif", overwrite, barred)
+        for name in sorted(set(INSTEAD) - set(names)):
+            _remove_plane(place / f"{name}.tif", overwrite, barred)
         return [
             write_raster(
                 place / f"{name}.tif",
@@ -71,8 +68,8 @@ def write_landscape(
         ]
 
 
-def _remove_effect(old: Path, overwrite: bool, barred: list[str | os.PathLike[str]]) -> None:
-    """An effect of another landscape would be taken for one of this."""
+def _remove_plane(old: Path, overwrite: bool, barred: list[str | os.PathLike[str]]) -> None:
+    """A plane of another landscape would be taken for one of this."""
     if not old.exists():
         return
     if not overwrite:
@@ -99,7 +96,7 @@ def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:
             f"{place} is not a folder with {', '.join(f'{name}.tif' for name in LAYERS)}; make one with: "
             f"firebreak align"
         )
-    if unfinished(place / f"{name}.tif" for name in LAYERS + EFFECTS):
+    if unfinished(place / f"{name}.tif" for name in LAYERS + INSTEAD):
         raise InputError(
             f"a run was killed while it replaced the landscape in {place}, the layers may be of two runs; make it "
             "again with: firebreak align --overwrite"
@@ -107,7 +104,7 @@ def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:
     missing = [f"{name}.tif" for name in LAYERS if not (place / f"{name}.tif").exists()]
     if missing:
         raise InputError(f"the landscape folder {place} lacks {', '.join(missing)}; make it with: firebreak align")
-    names = list(LAYERS) + [name for name in EFFECTS if (place / f"{name}.tif").exists()]
+    names = list(LAYERS) + [name for name in INSTEAD if (place / f"{name}.tif").exists()]
     arrays = {name: read_variable(place / f"{name}.tif", name) for name in names}
     grid = Grid.of(arrays["elevation"])
     grid.cell_size  # noqa: B018 - refuses cells that are not square

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -12,11 +12,14 @@ from firebreak_gis.errors import LegendError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.continuity import CONTINUITY, continuity
 from firebreak_gis.landscape.legends import Legend
+from firebreak_gis.landscape.legends.burning import BURNING
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.schema import DENSITY
 
 #: What every landscape holds.
 LAYERS = ("elevation", "vegetation", "density")
+#: What a landscape holds only where a legend gives numbers in place of classes.
+INSTEAD = ("vegetation_effect", "density_effect", *BURNING.values())
 #: So many unknown codes are listed in a message.
 LISTED = 8
 
@@ -29,14 +32,14 @@ class Fuel:
     ----------
     vegetation, density
         uint8 class codes of the schema; density is 0 where vegetation is.
-    vegetation_effect, density_effect
-        float32 effects in place of classes, NaN where the class counts; None if no legend gives any.
+    instead
+        float32 numbers in place of what the class has, NaN where the class counts, by variable; those of `INSTEAD`
+        that a legend gives.
     """
 
     vegetation: np.ndarray
     density: np.ndarray
-    vegetation_effect: np.ndarray | None = None
-    density_effect: np.ndarray | None = None
+    instead: Mapping[str, np.ndarray] = field(default_factory=dict)
 
 
 def fuel_of(
@@ -72,7 +75,6 @@ def fuel_of(
     """
     index = _look_up(codes, legend, "vegetation", grid, account, unknown)
     vegetation = legend.column("vegetation", 0)[index].astype(np.uint8)
-    vegetation_effect = _effect(legend, "vegetation_effect", index)
     density = legend.column("density", np.nan)[index]
     density_effect = _effect(legend, "density_effect", index)
     if cover is not None:
@@ -94,7 +96,12 @@ def fuel_of(
             f"({lacking.mean():.2%} of the grid)"
         )
     classes = np.where(np.isnan(density) | (vegetation == 0), 0, density).astype(np.uint8)
-    return Fuel(vegetation, classes, _only(vegetation_effect, classes > 0), _only(density_effect, classes > 0))
+    given_instead = {name: _effect(legend, name, index) for name in INSTEAD} | {"density_effect": density_effect}
+    burns = classes > 0
+    instead = {
+        name: np.where(burns, plane, np.float32(np.nan)) for name, plane in given_instead.items() if plane is not None
+    }
+    return Fuel(vegetation, classes, instead)
 
 
 def burnable_cells(layers: Mapping[Any, Any]) -> np.ndarray:
@@ -107,9 +114,9 @@ def _density_code(name: str) -> int:
     return next(code for code, label in DENSITY.items() if label == name)
 
 
-def _effect(legend: Legend, field: str, index: np.ndarray) -> np.ndarray | None:
-    column = legend.column(field, np.nan)
-    return None if np.isnan(column).all() else np.asarray(column[index], dtype=np.float32)
+def _effect(legend: Legend, name: str, index: np.ndarray) -> np.ndarray | None:
+    column = legend.column(name, np.nan)
+    return None if np.isnan(column).all() else np.asarray(column.astype(np.float32)[index])
 
 
 def _merge(own: np.ndarray | None, given: np.ndarray | None, replaced: np.ndarray) -> np.ndarray | None:
@@ -117,10 +124,6 @@ def _merge(own: np.ndarray | None, given: np.ndarray | None, replaced: np.ndarra
         return None
     blank = np.full(replaced.shape, np.nan, dtype=np.float32)
     return np.where(replaced, blank if given is None else given, blank if own is None else own)
-
-
-def _only(effect: np.ndarray | None, where: np.ndarray) -> np.ndarray | None:
-    return None if effect is None else np.where(where, effect, np.float32(np.nan))
 
 
 def _look_up(values: np.ndarray, legend: Legend, name: str, grid: Grid, account: Account, unknown: str) -> np.ndarray:

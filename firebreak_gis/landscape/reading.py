@@ -90,7 +90,8 @@ def read_landscape(
     xarray.Dataset
         `elevation` float32 [m], `vegetation` uint8 (0 none, 1 agricultural, 2 shrubs, 3 pines),
         `density` uint8 (0 none, 1 sparse, 2 normal, 3 dense), `burnable` bool, dims (y, x); with numbers
-        in a legend also `vegetation_effect`, `density_effect` float32, NaN where the class counts.
+        in a legend also `vegetation_effect`, `density_effect`, and how the fuel burns: `rate` [m/h], `dead_load`,
+        `live_load` [kg/m2], `heat_content` [kJ/kg], `live_moisture`; float32, NaN where the class counts.
         `attrs["alignment"]` and `attrs["warnings"]` are lists of sentences.
 
     Raises
@@ -175,11 +176,8 @@ def _assemble(grid: Grid, elevation: np.ndarray, fuel: Fuel, account: Account) -
         "elevation": elevation,
         "vegetation": fuel.vegetation,
         "density": fuel.density,
+        **fuel.instead,
     }
-    if fuel.vegetation_effect is not None:
-        layers["vegetation_effect"] = fuel.vegetation_effect
-    if fuel.density_effect is not None:
-        layers["density_effect"] = fuel.density_effect
     burnable = burnable_cells(layers)
     blind = int(np.count_nonzero((fuel.vegetation > 0) & (fuel.density > 0) & ~np.isfinite(elevation)))
     if blind:

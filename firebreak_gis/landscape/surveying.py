@@ -7,12 +7,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from firebreak_gis.errors import InputError, LegendError, ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.alignment import plan
 from firebreak_gis.landscape.continuity import CONTINUITY
 from firebreak_gis.landscape.flammap import LandscapeFile, read_landscape_file
 from firebreak_gis.landscape.legends import Legend, read_legend
+from firebreak_gis.landscape.legends.burning import BURNING
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.resampling import BLOCK
 from firebreak_gis.landscape.target_grid import Account, choose_grid
@@ -52,7 +55,8 @@ class Survey:
     @property
     def memory(self) -> int:
         """Estimated peak of reading it, bytes."""
-        return memory_needed(self.layers, self.grid)
+        planes = sum(not np.isnan(self.legend.column(name, np.nan)).all() for name in BURNING.values())
+        return memory_needed(self.layers, self.grid) + 8 * planes * self.grid.shape[0] * self.grid.shape[1]
 
 
 def survey(request: LandscapeRequest) -> Survey:

@@ -32,6 +32,7 @@ from firebreak_gis.landscape import (
     write_landscape,
 )
 from firebreak_gis.rasters import read_header, read_raster
+from firebreak_gis.spread import spread_network
 from tests.places import NORTH_WEST, UTM, patches, relief, square, three, write
 
 FULL = ("elevation", "vegetation", "density", "burnable")
@@ -495,6 +496,40 @@ def test_numbers_in_a_legend_become_effects(tmp_path):
     with pytest.raises(OutputError):
         write_landscape(plain, tmp_path / "out")
     write_landscape(plain, tmp_path / "out", overwrite=True)
+    assert read_landscape_folder(tmp_path / "out").identical(plain)
+
+
+def test_how_the_fuel_burns_goes_from_the_legend_into_the_folder_and_the_network(tmp_path):
+    table = tmp_path / "own.csv"
+    table.write_text(
+        "code,vegetation,density,label,rate_m_h,dead_kg_m2,live_kg_m2,heat_kj_kg,live_moisture\n"
+        "0,none,,bare\n1,shrubs,normal,a,70,0.4,2,19000,0.7\n2,pines,dense,b\n"
+    )
+    codes = patches(9, 10, [0, 1, 2])
+    data = lay(write(tmp_path / "d.tif", relief(9, 10)), write(tmp_path / "v.tif", codes), None, legend=table)
+    for name, value in {
+        "rate": 70,
+        "dead_load": 0.4,
+        "live_load": 2,
+        "heat_content": 19_000,
+        "live_moisture": 0.7,
+    }.items():
+        expected = np.where(codes == 1, np.float32(value), np.float32(np.nan))
+        np.testing.assert_array_equal(data[name], expected)
+    write_landscape(data, tmp_path / "out")
+    back = read_landscape_folder(tmp_path / "out")
+    assert back.identical(data)
+    network = spread_network(back, clock=True)
+    heat = 0.4 * 19_000 + 2 * (19_000 * 0.3 - 2442 * 0.7)
+    assert network.heat[(codes == 1) & network.burnable] == pytest.approx(heat, rel=1e-6)
+    calm = spread_network(back, clock=True, rate_slope=0.0).rate()
+    assert calm[:, codes == 1].max() == pytest.approx(70, rel=0.05)
+    assert calm[:, codes == 2].max() == pytest.approx(200, rel=0.05)
+    faster = spread_network(back, clock=True, rate_shrubs=999.0)
+    np.testing.assert_array_equal(faster.travel_time, network.travel_time)  # the legend counts
+    plain = lay(tmp_path / "d.tif", tmp_path / "v.tif", None, legend=_classes_only(tmp_path))
+    assert "rate" not in plain
+    write_landscape(plain, tmp_path / "out", overwrite=True)  # and takes the planes of the other away
     assert read_landscape_folder(tmp_path / "out").identical(plain)
 
 

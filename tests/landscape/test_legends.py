@@ -38,7 +38,7 @@ def test_the_built_in_legends_are_listed_with_their_sources():
     for name in legends.names():
         legend = read_legend(name)
         assert sum(line.startswith("Source: ") for line in legend.about) == 1
-        assert legend.version == "1"
+        assert legend.version == ("2" if any(e.dead_load is not None for e in legend.entries) else "1")
         assert legend.has_density or name == "paper"
         assert all(entry.label for entry in legend.entries)
 
@@ -335,3 +335,28 @@ def test_flags_are_no_data_and_stand_apart_from_ranges():
     assert grid.entries[grid.find(np.array([48.0]))[0]].missing
     assert grid.has_vegetation
     assert grid.has_density
+
+
+def test_columns_of_how_the_fuel_burns():
+    text = "code,vegetation,density,rate_m_h,dead_kg_m2,live_kg_m2,heat_kj_kg,live_moisture\n"
+    one, two = parse(text + "1,shrubs,dense,90,0.5,2,19000,0.6\n2,pines,normal\n", "own", "own.csv").entries
+    assert (one.rate, one.dead_load, one.live_load, one.heat_content, one.live_moisture) == (90, 0.5, 2, 19_000, 0.6)
+    assert {two.rate, two.dead_load, two.live_load, two.heat_content, two.live_moisture} == {None}
+
+
+@pytest.mark.parametrize(
+    ("column", "text"),
+    [("rate_m_h", "fast"), ("rate_m_h", "-1"), ("dead_kg_m2", "200"), ("live_moisture", "60"), ("heat_kj_kg", "nan")],
+)
+def test_what_no_fuel_can_have_is_refused(column, text):
+    with pytest.raises(LegendError, match=f"line 2: {column} is '{text}', expected a number from 0"):
+        parse(f"code,vegetation,density,{column}\n1,shrubs,dense,{text}\n", "own", "own.csv")
+    with pytest.raises(LegendError, match=f"{column} goes with a vegetation"):
+        parse(f"code,density,{column}\n1,dense,0.5\n", "own", "own.csv")
+
+
+@pytest.mark.parametrize(("name", "broadleaves"), [("eu12", 5), ("prop6", 1), ("corine", 311), ("corine_grid", 23)])
+def test_broadleaves_have_the_loads_of_their_source(name, broadleaves):
+    entry = next(e for e in read_legend(name).entries if e.low == broadleaves)
+    assert (entry.dead_load, entry.live_load, entry.heat_content, entry.live_moisture) == (1.5, 3, 20_000, 0.6)
+    assert entry.rate is None  # 140 m/h, as shrubs have

@@ -19,6 +19,11 @@ OUTPUTS = {
     "density.tif": "Density classes on the common grid",
     "vegetation_effect.tif": "Effect of the vegetation, where the legend gives numbers in place of classes",
     "density_effect.tif": "Effect of the density, where the legend gives numbers in place of classes",
+    "rate.tif": "Rate of spread on flat calm dry ground, where the legend gives it",
+    "dead_load.tif": "Load of dead fuel, where the legend gives it",
+    "live_load.tif": "Load of live fuel, where the legend gives it",
+    "heat_content.tif": "Heat content of the fuel, where the legend gives it",
+    "live_moisture.tif": "Moisture of the live fuel, where the legend gives it",
     "run.json": "Account of the run",
 }
 

@@ -9,6 +9,7 @@ import click
 from firebreak_gis.cli import options
 from firebreak_gis.cli.session import Session
 from firebreak_gis.landscape import legends
+from firebreak_gis.landscape.legends.burning import BURNING
 from firebreak_gis.schema import DENSITY, VEGETATION
 
 
@@ -30,8 +31,14 @@ def command(session: Session, name: str | None) -> None:
     legend = legends.read_legend(name)
     rows = [_row(entry, legend.has_vegetation) for entry in legend.entries]
     lines = [f"# {line}" for line in legend.about]
-    lines.append(f"{'code':>12}  {'vegetation':13} {'density':9} label")
-    lines += [f"{row['code']:>12}  {row['vegetation']:13} {_shown(row):9} {row['label']}" for row in rows]
+    burning = [column for column in BURNING if any(row.get(column) for row in rows)]
+    more = "".join(f"{column:>14}" for column in burning)
+    lines.append(f"{'code':>12}  {'vegetation':13} {'density':9} {more}{'  ' * bool(more)}label")
+    for row in rows:
+        more = "".join(f"{row.get(column, ''):>14}" for column in burning)
+        lines.append(
+            f"{row['code']:>12}  {row['vegetation']:13} {_shown(row):9} {more}{'  ' * bool(more)}{row['label']}"
+        )
     if any(_shown(row).endswith("*") for row in rows):
         lines.append("* unless a density raster or word is given")
     shown = {"name": legend.name, "version": legend.version, "about": legend.about, "entries": rows}
@@ -55,6 +62,7 @@ def _row(entry: legends.Entry, has_vegetation: bool) -> dict[str, str]:
         "density": _word(entry.density, entry.density_effect, DENSITY),
         "density_from_raster": "yes" if entry.density_from_raster else "no",
         "label": entry.label,
+        **{column: f"{value:g}" for column, name in BURNING.items() if (value := getattr(entry, name)) is not None},
     }
 
 

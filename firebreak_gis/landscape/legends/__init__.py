@@ -7,6 +7,8 @@ a range `low..high`, low included, high not (the highest end of all is): then th
 quantity, such as canopy cover in percent. The optional column `density_from_raster` (yes or no, yes
 if absent) says whether a density raster, where one is given, replaces the density of the legend.
 
+Further optional columns say how the fuel burns, see `legends.burning`.
+
 In place of a class, `nodata` says that the code is none: what stands for "no data", or for "outside". Among ranges
 such codes are flags, which are never mixed with the quantity. A line `extends,NAME` takes the entries of another
 legend, built-in or in the same folder, except those for codes that the file lists itself. Columns may be separated by
@@ -28,13 +30,14 @@ from pathlib import Path
 import numpy as np
 
 from firebreak_gis.errors import LegendError
+from firebreak_gis.landscape.legends.burning import BURNING, burning_of
 from firebreak_gis.schema import DENSITY, VEGETATION
 
 #: In place of a class: the code stands for no data.
 NO_DATA = "nodata"
 #: First word of a line that names another legend.
 EXTENDS = "extends"
-COLUMNS = ("code", "vegetation", "density", "label", "density_from_raster")
+COLUMNS = ("code", "vegetation", "density", "label", "density_from_raster", *BURNING)
 #: Effect of each class in the paper; only used to name the class nearest to a continuous effect.
 _NEAREST = {"vegetation": {1: -0.3, 2: 0.0, 3: 0.4}, "density": {1: -0.4, 2: 0.0, 3: 0.3}}
 _CLASSES = {"vegetation": VEGETATION, "density": DENSITY}
@@ -61,6 +64,8 @@ class Entry:
         Text for people.
     missing
         Whether the code stands for no data.
+    rate, dead_load, live_load, heat_content, live_moisture
+        How the fuel burns, in the units of the schema; None where the class counts.
     """
 
     low: float
@@ -72,6 +77,11 @@ class Entry:
     density_from_raster: bool = True
     label: str = ""
     missing: bool = False
+    rate: float | None = None
+    dead_load: float | None = None
+    live_load: float | None = None
+    heat_content: float | None = None
+    live_moisture: float | None = None
 
 
 @dataclass(frozen=True)
@@ -317,7 +327,7 @@ def _entries(
         raise LegendError(
             f"{where}, line {table[0][0]}: got the columns {', '.join(header)}, expected "
             f"{', '.join(COLUMNS[:4])} "
-            "separated by commas, semicolons or tabs (density_from_raster is optional)"
+            f"separated by commas, semicolons or tabs (optional: {', '.join(COLUMNS[4:])})"
         )
     entries = []
     for number, cells in table[1:]:
@@ -348,6 +358,7 @@ def _entry(record: dict[str, str], number: int, problems: list[str]) -> Entry | 
     replaced = record.get("density_from_raster", "").lower() or "yes"
     if replaced not in ("yes", "no"):
         problems.append(f"line {number}: density_from_raster is {replaced!r}, expected yes or no")
+    burning = burning_of(record, number, problems)
     missing = NO_DATA in (record.get("vegetation", "").lower(), record.get("density", "").lower())
     if len(problems) > before:
         return None
@@ -361,6 +372,7 @@ def _entry(record: dict[str, str], number: int, problems: list[str]) -> Entry | 
         replaced == "yes",
         record.get("label", ""),
         missing,
+        **burning,
     )
 
 
