@@ -29,7 +29,7 @@ def write_landscape(
     forbid: Iterable[str | os.PathLike[str]] = (),
     creation_options: Mapping[str, Any] | None = None,
 ) -> list[Path]:
-    """Write the layers of a landscape as elevation.tif, vegetation.tif, density.tif, and the numbers that a legend gives.
+    """Write the layers of a landscape as elevation.tif, vegetation.tif, density.tif, and numbers that a legend gives.
 
     Parameters
     ----------
