@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from firebreak_gis.evaluation.curves import evaluate
     from firebreak_gis.landscape import read_landscape
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.planning.design import rank
     from firebreak_gis.planning.pipeline import plan
-    from firebreak_gis.ranking import rank
     from firebreak_gis.rasters import write_raster
     from firebreak_gis.simulation.distributed import simulate_distributed
     from firebreak_gis.simulation.fires import burn_curve, simulate
@@ -37,7 +37,7 @@ _HOMES = {
     "FirebreakError": "errors",
     "forest": "spread.artificial",
     "plan": "planning.pipeline",
-    "rank": "ranking",
+    "rank": "planning.design",
     "read_landscape": "landscape",
     "read_network": "spread.raster",
     "read_weather": "simulation.weather_reading",

@@ -7,6 +7,7 @@ simulation of a curve and the placement of patterns need it as well as plans do.
 from __future__ import annotations
 
 import math
+import typing
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -68,6 +69,26 @@ class Budget:
     def of_cost_share(cls, share: float, stakes: Stakes) -> Budget:
         """The money that is a share of the cost of all fuel."""
         return cls(share * float(stakes.cost.sum()), "cost")
+
+    @classmethod
+    def made_for(cls, priority: xr.DataArray) -> Budget | None:
+        """The budget that a ranking was made for; None for one that serves any, or that does not say.
+
+        `planning.design.design` records it in the attributes, the raster writer in the tags of the file.
+        """
+        text = priority.attrs.get("made_for") or priority.attrs.get("provenance", {}).get("made_for")
+        amount, _, unit = str(text or "").partition(" ")
+        try:
+            made = cls(float(amount), typing.cast(BudgetUnit, unit))
+            made.require()
+        except (ValueError, ParameterError):
+            return None
+        return made
+
+    @property
+    def record(self) -> dict[str, str]:
+        """The attribute that `made_for` reads."""
+        return {"made_for": f"{float(self.amount)!r} {self.unit}"}
 
     def __str__(self) -> str:
         return f"{self.amount:g} ({self.unit})"

@@ -34,6 +34,10 @@ class StakePlanes:
     value: Plane | None = None
     ignition: Plane | None = None
 
+    def roads(self, network: SpreadNetwork) -> np.ndarray | None:
+        """(rows, cols) float64, 1 on a barrier, for methods that follow roads; None where none are given."""
+        return None if self.barriers is None else network.mask(self.barriers, "barriers").astype(np.float64)
+
     def on(self, network: SpreadNetwork) -> tuple[SpreadNetwork, Stakes]:
         """Put the barriers into a network, and the rest into its `Stakes`."""
         if self.barriers is not None:

@@ -11,8 +11,10 @@ from firebreak_gis.cli.session import Session
 from firebreak_gis.rasters import file_of
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray as xr
 
+    from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import Survey
     from firebreak_gis.landscape.request import LandscapeRequest
     from firebreak_gis.network import SpreadNetwork
@@ -36,6 +38,13 @@ def read_layers(request: LandscapeRequest, found: Survey, session: Session, *, p
     for sentence in landscape.attrs["warnings"]:
         session.warn(sentence)
     return landscape
+
+
+def ridges(dem: str | None, grid: Grid) -> np.ndarray | None:
+    """Lay the elevation that --dem names on a grid; NaN where there is none, None where none is named."""
+    from firebreak_gis.landscape.planes import value_plane
+
+    return value_plane(dem, grid, what="elevation", fill=float("nan")) if dem else None
 
 
 def checked_fires(request: FireRequest, network: SpreadNetwork) -> FireRequest:

@@ -409,6 +409,13 @@ def budget(command: F) -> F:
     return _apply(options, command)
 
 
+def dem(command: F) -> F:
+    """--dem, for rankings."""
+    return click.option(
+        "--dem", type=kinds.RASTER, metavar="RASTER", help="Elevation, for methods that follow ridges [m]."
+    )(command)
+
+
 def leaks(command: F) -> F:
     """--width and --residual."""
     command = click.option(

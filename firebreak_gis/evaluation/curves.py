@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import typing
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -19,12 +19,15 @@ if TYPE_CHECKING:
 
     from firebreak_gis.network import SpreadNetwork
 
+#: Ranks the cells for a budget (a share) and a residual, reporting its progress; the same object for the same plan.
+Ranker = Callable[[float, float, Progress], "np.ndarray | xr.DataArray"]
+
 Test = Literal["wilcoxon", "ranksum", "t"]
 
 
 def evaluate(
     network: SpreadNetwork,
-    priorities: Mapping[str, np.ndarray | xr.DataArray],
+    priorities: Mapping[str, np.ndarray | xr.DataArray | Ranker],
     *,
     budgets: Sequence[float] | np.ndarray,
     baseline: str = "random",
@@ -44,7 +47,8 @@ def evaluate(
     network
         The spread network before cutting.
     priorities
-        Priority raster by method name; must hold `baseline`.
+        By method name, `baseline` among them: a priority raster, or a function ``(budget, residual, progress)`` that
+        returns the one of the plan for them, such as `planning.design.Designs`.
     budgets
         Shares d_f of the cells that hold fuel, rising.
     baseline
@@ -80,7 +84,7 @@ def evaluate(
 
 def evaluate_fires(
     network: SpreadNetwork,
-    priorities: Mapping[str, np.ndarray | xr.DataArray],
+    priorities: Mapping[str, np.ndarray | xr.DataArray | Ranker],
     request: FireRequest,
     *,
     budgets: Sequence[float] | np.ndarray,
@@ -95,10 +99,60 @@ def evaluate_fires(
     shares = {}
     for i, (name, priority) in enumerate(priorities.items()):
         step = part(progress, i / len(priorities), (i + 1) / len(priorities), f"{name}: ")
-        burnt = burn_budgets(network, priority, request, budgets=budgets, threads=threads, progress=step)
-        shares[name] = burnt.to_numpy() / max(network.n_burnable, 1)
+        if callable(priority):
+            plans = _plans(priority, budgets, part(step, 0.0, 0.5))
+            later = part(step, 0.5, 1.0)
+            burnt = burnt_under(network, plans, request, budgets=budgets, threads=threads, progress=later)
+        else:
+            burnt = burn_budgets(network, priority, request, budgets=budgets, threads=threads, progress=step).to_numpy()
+        shares[name] = burnt / max(network.n_burnable, 1)
     result = summarise(shares, budgets=budgets, baseline=baseline, test=test, alpha=alpha)
     return result.assign_attrs(n_burnable=network.n_burnable, n_runs=request.n_runs, seed=request.seed)
+
+
+def _plans(ranker: Ranker, budgets: Sequence[float] | np.ndarray, progress: Progress) -> Iterator[Any]:
+    for k, budget in enumerate(budgets):
+        yield ranker(float(budget), 0.0, part(progress, k / len(budgets), (k + 1) / len(budgets)))
+
+
+def burnt_under(
+    network: SpreadNetwork,
+    plans: Iterable[Any],
+    request: FireRequest,
+    *,
+    budgets: Sequence[float] | np.ndarray,
+    threads: int | None = None,
+    progress: Progress,
+) -> np.ndarray:
+    """Cells burnt under perfect breaks where each budget has its own plan.
+
+    Parameters
+    ----------
+    plans
+        The priority for each of the budgets; those in a row that are one object are burnt in one pass.
+    request, budgets, threads
+        As in `burn_budgets`.
+
+    Returns
+    -------
+    numpy.ndarray
+        (n_runs, n_budgets) int64.
+    """
+    parts: list[np.ndarray] = []
+    plan: Any = None
+    first, count = 0, len(budgets)
+
+    def burn(until: int) -> None:
+        step, some = part(progress, first / count, until / count), budgets[first:until]
+        parts.append(burn_budgets(network, plan, request, budgets=some, threads=threads, progress=step).to_numpy())
+
+    for k, made in enumerate(plans):
+        if k and made is not plan:
+            burn(k)
+            first = k
+        plan = made
+    burn(count)
+    return np.concatenate(parts, axis=1)
 
 
 def summarise(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -10,9 +10,10 @@ import numpy as np
 
 from firebreak_gis.breaks import Budget, select_breaks
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.evaluation.curves import Ranker, burnt_under
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.progress import Progress, part, silent
-from firebreak_gis.simulation.fires import burn, burn_budgets, resolved
+from firebreak_gis.simulation.fires import burn, resolved
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -23,8 +24,6 @@ if TYPE_CHECKING:
 
 #: Added to the seed of the design, so that no plan is judged on fires that it has seen.
 FRESH = 7919
-#: Ranks the cells for a budget and a residual, reporting its progress.
-Ranker = Callable[[float, float, Progress], "np.ndarray | xr.DataArray"]
 
 
 def compare_plans(
@@ -136,13 +135,7 @@ def _burn(
     shape = (len(budgets), fires.n_runs)
     burnt, lost = np.zeros(shape), np.zeros(shape)
     if fires.residual == 0.0 and value is None:
-        for k, first in enumerate(ranked):
-            same = [m for m, other in enumerate(ranked) if other is first]
-            if same[0] == k:
-                span = part(progress, k / len(budgets), (k + len(same)) / len(budgets))
-                some = [budgets[m] for m in same]
-                curve = burn_budgets(network, first, fires, budgets=some, threads=threads, progress=span)
-                burnt[same] = curve.to_numpy().T
+        burnt[:] = burnt_under(network, ranked, fires, budgets=budgets, threads=threads, progress=progress).T
         return burnt, burnt
     for k, (priority, budget) in enumerate(zip(ranked, budgets, strict=True)):
         run = burn(

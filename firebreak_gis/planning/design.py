@@ -1,4 +1,7 @@
-"""A ranking for one plan: the method is told the budget, the leak, the width and the terrain of the plan."""
+"""A ranking for one plan: the method is told the budget, the leak, the width and the terrain of the plan.
+
+Plans, comparisons, evaluations and the command `rank` all come through here, so that they agree.
+"""
 
 from __future__ import annotations
 
@@ -8,19 +11,89 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis import plugins
+from firebreak_gis import plugins, ranking
 from firebreak_gis.breaks import Budget, removal_order
 from firebreak_gis.planning.refinement import refine as improve
 from firebreak_gis.planning.thickening import thickened
-from firebreak_gis.progress import part
-from firebreak_gis.ranking import rank
+from firebreak_gis.progress import Progress, part, silent
+from firebreak_gis.stakes import Stakes
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from firebreak_gis.network import SpreadNetwork
-    from firebreak_gis.progress import Progress
-    from firebreak_gis.stakes import Stakes
+
+    Plane = np.ndarray | xr.DataArray
+
+
+def rank(
+    network: SpreadNetwork,
+    method: str = "dissection",
+    *,
+    budget: float | Budget = 0.1,
+    residual: float = 0.0,
+    stakes: Stakes | None = None,
+    elevation: Plane | None = None,
+    roads: Plane | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+    **params: Any,
+) -> xr.DataArray:
+    """Rank the cells of a network by the order in which they should be cut, as `plan` does.
+
+    Parameters
+    ----------
+    network
+        The spread network.
+    method
+        Name of a ranking (`firebreak methods` lists them).
+    budget
+        What the ranking is for: a share of the cells that hold fuel, or a `breaks.Budget`. Patterns are laid for it;
+        most methods give one ranking for all budgets.
+    residual
+        Share of its spread probability that a treated cell keeps; 0 is a perfect break.
+    stakes
+        Costs, protected cells, values at risk and ignitions; default: every cell alike, nothing protected.
+    elevation, roads
+        (y, x) terrain in metres and above 0 on roads, for methods that follow ridges and roads.
+    seed
+        Seed of methods that draw.
+    progress
+        Callback (share done, message); raise `Cancelled` in it to stop.
+    **params
+        Parameters of the method, for example ``beta=0.5``; they win over what the plan would tell it.
+
+    Returns
+    -------
+    xarray.DataArray
+        `priority` (y, x) float64, higher is cut earlier, -inf where there is no fuel or nothing may be cut. Where
+        another budget would have given another ranking, the attribute `made_for` tells the budget.
+
+    Raises
+    ------
+    ParameterError
+        If the method or a parameter is unknown or out of range, or the budget is impossible.
+    GridError
+        If the stakes were made for a network of another shape.
+
+    Notes
+    -----
+    Memory at the peak, beside the network: `plugins.memory_of("ranking", method)`; the text of each method says more.
+    """
+    amount = Budget.of(budget)
+    amount.require()
+    return design(
+        network,
+        method,
+        stakes=stakes or Stakes(network),
+        budget=amount,
+        residual=residual,
+        params=params,
+        elevation=elevation,
+        roads=roads,
+        seed=seed,
+        progress=progress,
+    )
 
 
 def design(
@@ -32,8 +105,8 @@ def design(
     residual: float = 0.0,
     width: int = 1,
     params: Mapping[str, Any] | None = None,
-    elevation: np.ndarray | None = None,
-    roads: np.ndarray | None = None,
+    elevation: Plane | None = None,
+    roads: Plane | None = None,
     refine: bool = False,
     seed: int = 0,
     progress: Progress | None = None,
@@ -42,58 +115,54 @@ def design(
 
     Parameters
     ----------
-    network, method, stakes, seed, progress
-        As in `ranking.rank`.
-    budget
-        Of the plan.
-    residual
-        Share of its spread probability that a treated cell keeps.
+    network, method, stakes, budget, residual, elevation, roads, seed, progress
+        As in `rank`.
     width
         Least width of the breaks, cells. A method that makes walls or bands is asked for it; under any other each
-        cell brings the square around it along, see `placement.thickening`.
+        cell brings the square around it along, see `planning.thickening`.
     params
         Parameters of the method; they win over what the plan tells.
-    elevation, roads
-        (rows, cols), for methods that follow ridges and roads.
     refine
-        Whether the plan is improved by local search, see `placement.refinement.refine`; then the ranking is good for
+        Whether the plan is improved by local search, see `planning.refinement.refine`; then the ranking is good for
         this budget only, and a width is not kept.
 
     Returns
     -------
     xarray.DataArray
-        `priority` (y, x) float64, as `ranking.rank` returns it.
+        `priority`, as `rank` returns it.
 
     Raises
     ------
     ParameterError
-        As `ranking.rank`, or if the parameters ask for less than `width`.
+        As `rank`, or if the parameters ask for less than `width`.
     """
-    known = facts(network, stakes, budget, residual=residual, width=width, elevation=elevation, roads=roads)
-    every = {**plugins.told(plugins.load("ranking", method), known, params or {}), **(params or {})}
-    share = 0.5 if refine else 1.0
-    priority = _ranked(network, method, stakes, every, width, seed, part(progress, 0.0, share))
-    if refine:
-        better = improve(
-            network,
-            stakes,
-            priority,
-            budget=budget,
-            residual=residual,
-            seed=seed,
-            progress=part(progress, share, 1.0, "local search: "),
-        )
-        return priority.copy(data=np.where(np.isneginf(priority), -np.inf, better))
-    return priority
+    designs = Designs(
+        network, method, stakes=stakes, width=width, params=params, elevation=elevation, roads=roads, seed=seed
+    )
+    if not refine:
+        return designs(budget, residual, progress or silent)
+    priority = designs(budget, residual, part(progress, 0.0, 0.5))
+    better = improve(
+        network,
+        stakes,
+        priority,
+        budget=budget,
+        residual=residual,
+        seed=seed,
+        progress=part(progress, 0.5, 1.0, "local search: "),
+    )
+    return priority.copy(data=np.where(np.isneginf(priority), -np.inf, better)).assign_attrs(budget.record)
 
 
 class Designs:
-    """The plans of one method for any budget (a share) and residual; equal ones are made once.
+    """The plans of one method for any budget and residual; equal ones are made once.
 
     Parameters
     ----------
     network, method, stakes, width, params, elevation, roads, seed
         As in `design`.
+    keep
+        How many different plans are remembered, the last ones; None: all.
     """
 
     def __init__(
@@ -104,61 +173,60 @@ class Designs:
         stakes: Stakes,
         width: int = 1,
         params: Mapping[str, Any] | None = None,
-        elevation: np.ndarray | None = None,
-        roads: np.ndarray | None = None,
+        elevation: Plane | None = None,
+        roads: Plane | None = None,
         seed: int = 0,
+        keep: int | None = None,
     ) -> None:
         self._network, self._method, self._stakes, self._seed = network, method, stakes, seed
-        self._params, self._width = dict(params or {}), width
+        self._module = plugins.load("ranking", method)
+        self._params, self._width, self._keep = dict(params or {}), width, keep
         self._planes = {"elevation": elevation, "roads": roads}
         self._made: dict[tuple[Any, ...], xr.DataArray] = {}
 
-    def __call__(self, budget: float, residual: float, progress: Progress) -> xr.DataArray:
+    def __call__(self, budget: float | Budget, residual: float, progress: Progress) -> xr.DataArray:
         """Return the priority of the plan; the same object for equal plans."""
-        module = plugins.load("ranking", self._method)
-        known = facts(self._network, self._stakes, Budget(budget), residual=residual, width=self._width, **self._planes)
-        every = {**plugins.told(module, known, self._params), **self._params}
-        counting = plugins.effective(module, plugins.build_params(module, every))
-        # Planes are the same for all plans.
-        key = tuple(getattr(counting, f.name) for f in fields(counting) if not f.metadata["raster"])
+        amount = Budget.of(budget)
+        key = self._settled(amount, residual)
         if key not in self._made:
-            self._made[key] = _ranked(
-                self._network, self._method, self._stakes, every, self._width, self._seed, progress
-            )
+            self._made[key] = self._make(amount, residual, progress)
+            for old in list(self._made)[: -self._keep] if self._keep else ():
+                del self._made[old]
         return self._made[key]
 
+    def facts(self, budget: Budget, residual: float) -> dict[str, Any]:
+        """What the plan knows, by the names of `plugins.FACTS`."""
+        return {
+            "cost_share": budget.cost_share(self._network, self._stakes),
+            "cell_share": budget.cell_share(self._network, self._stakes),
+            "residual": residual,
+            "least_width": self._width,
+            **self._planes,
+        }
 
-def facts(
-    network: SpreadNetwork,
-    stakes: Stakes,
-    budget: Budget,
-    *,
-    residual: float = 0.0,
-    width: int = 1,
-    elevation: np.ndarray | None = None,
-    roads: np.ndarray | None = None,
-) -> dict[str, Any]:
-    """What a plan tells its method, by the names of `plugins.FACTS`."""
-    return {
-        "cost_share": budget.cost_share(network, stakes),
-        "cell_share": budget.cell_share(network, stakes),
-        "residual": residual,
-        "least_width": width,
-        "elevation": elevation,
-        "roads": roads,
-    }
+    def _every(self, budget: Budget, residual: float) -> dict[str, Any]:
+        """All parameters of the method, those told and those given."""
+        return {**plugins.told(self._module, self.facts(budget, residual), self._params), **self._params}
 
+    def _settled(self, budget: Budget, residual: float) -> tuple[Any, ...]:
+        """Equal for plans that are equal; planes are the same for all."""
+        params = plugins.build_params(self._module, self._every(budget, residual))
+        params = plugins.effective(self._module, params)
+        return tuple(getattr(params, f.name) for f in fields(params) if not f.metadata["raster"])
 
-def _ranked(
-    network: SpreadNetwork,
-    method: str,
-    stakes: Stakes,
-    params: Mapping[str, Any],
-    width: int,
-    seed: int,
-    progress: Progress | None,
-) -> xr.DataArray:
-    priority = rank(network, method, stakes=stakes, seed=seed, progress=progress, **params)
-    if width > 1 and not plugins.asks_for(plugins.load("ranking", method), "least_width"):
-        return priority.copy(data=thickened(removal_order(priority), network, stakes, width))
-    return priority
+    def _make(self, budget: Budget, residual: float, progress: Progress) -> xr.DataArray:
+        priority = ranking.rank(
+            self._network,
+            self._method,
+            stakes=self._stakes,
+            seed=self._seed,
+            progress=progress,
+            **self._every(budget, residual),
+        )
+        if self._width > 1 and not plugins.asks_for(self._module, "least_width"):
+            wide = thickened(removal_order(priority), self._network, self._stakes, self._width)
+            priority = priority.copy(data=wide)
+        other = Budget(0.0 if budget.cost_share(self._network, self._stakes) > 0.5 else 1.0)
+        if self._settled(other, residual) != self._settled(budget, residual):
+            priority = priority.assign_attrs(budget.record)
+        return priority

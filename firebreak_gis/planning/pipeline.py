@@ -306,7 +306,7 @@ def make_plan(
         width=width_in_cells(asked.width, network.grid.cell_size),
         params=asked.method_params,
         elevation=landscape["elevation"].to_numpy(),
-        roads=None if planes.barriers is None else network.mask(planes.barriers, "barriers").astype(np.float64),
+        roads=planes.roads(network),
         seed=fires.seed,
         progress=part(progress, 0.05, 0.35, f"rank by {asked.method}: "),
     )

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 _LOADED_IN = os.getpid()
 
+#: Attributes of the data that become tags.
+_KEPT = ("boundary", "made_for")
 #: Files that GDAL keeps beside a raster; those of an overwritten raster would describe the old one.
 SIDECARS = (".aux.xml", ".ovr", ".msk")
 
@@ -58,8 +60,8 @@ def write_raster(
     overwrite
         Whether an existing file may be replaced.
     provenance
-        Software, version, parameters hash, seed, ...; kept as tags, read back by `read_variable`. So is the
-        attribute `boundary` of `data`.
+        Software, version, parameters hash, seed, ...; kept as tags, read back by `read_variable`. So are the
+        attributes `boundary` and `made_for` of `data`.
     creation_options
         More options of the GDAL driver COG, for example {"compress": "zstd"}.
     forbid
@@ -96,7 +98,7 @@ def write_raster(
     stored = [_stored_values(layer.to_numpy(), each) for layer, each in zip(layers, variables, strict=True)]
     parts = [values if values.ndim == 3 else values[np.newaxis] for values in stored]
     planes = parts[0] if len(parts) == 1 else np.concatenate(parts)
-    tags = {**(provenance or {}), **{key: data.attrs[key] for key in ("boundary",) if key in data.attrs}}
+    tags = {**(provenance or {}), **{key: data.attrs[key] for key in _KEPT if key in data.attrs}}
     options = {"blocksize": 256, **_lower(creation_options or {})}
     place = Path(path)
     with together(place.parent), _encoded(planes, grid, variables, tags, options) as content:

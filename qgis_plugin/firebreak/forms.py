@@ -78,7 +78,7 @@ FORMS = (
         "rank",
         "Rank cells",
         "plan",
-        ("network", "method", "seed"),
+        ("network", "budget", "method", "seed"),
         ("OUTPUT_PRIORITY",),
         tags=("centrality", "bonacich", "betweenness", "priority"),
     ),

@@ -135,7 +135,7 @@ def make_model(target: Path) -> None:
         0,
         {"INPUT_DEM": given("dem"), "INPUT_VEGETATION": given("vegetation"), "INPUT_DENSITY": given("density")},
     )
-    _child(model, "rank", 1, {"INPUT_NETWORK": made("network", "OUTPUT_NETWORK")})
+    _child(model, "rank", 1, {"INPUT_NETWORK": made("network", "OUTPUT_NETWORK"), "BUDGET": given("budget")})
     _child(
         model,
         "breaks",

@@ -9,13 +9,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from firebreak_gis import plan, rank, simulate, spread_network
+from firebreak_gis import plan, simulate, spread_network
 from firebreak_gis.breaks import Budget, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.placement.fires import design_fires
 from firebreak_gis.planning.comparison import FRESH, compare_plans, comparison_table
 from firebreak_gis.planning.design import Designs, design
+from firebreak_gis.ranking import rank
 from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.stakes import Stakes
 
@@ -123,7 +124,7 @@ def test_equal_plans_are_made_once(network, monkeypatch):
         made.append(params)
         return rank(*given, **params)
 
-    monkeypatch.setattr("firebreak_gis.planning.design.rank", noted)
+    monkeypatch.setattr("firebreak_gis.ranking.rank", noted)
     stakes = Stakes(network)
     for method, params, count in (
         ("dissection", {}, 1 + 2),

@@ -12,7 +12,7 @@ from firebreak_gis.breaks import Budget, removal_order, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.widening import offsets
-from firebreak_gis.planning.design import Designs, design, facts
+from firebreak_gis.planning.design import Designs, design
 from firebreak_gis.planning.pipeline import plan
 from firebreak_gis.planning.thickening import thickened
 from firebreak_gis.progress import silent
@@ -29,7 +29,9 @@ def random_network(seed, shape=(11, 14), boundary="open"):
 
 def told(method, given=None, *, share=0.2, **more):
     network = random_network(0)
-    known = facts(network, Stakes(network), Budget(share), **{"residual": 0.1, "width": 3, **more})
+    residual = more.pop("residual", 0.1)
+    designs = Designs(network, method, stakes=Stakes(network), **{"width": 3, **more})
+    known = designs.facts(Budget(share), residual)
     assert set(known) == set(plugins.FACTS)
     return plugins.told(plugins.load("ranking", method), known, given or {})
 

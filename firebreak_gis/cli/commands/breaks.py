@@ -40,9 +40,10 @@ def command(
 ) -> None:
     """Cut the first cells of PRIORITY.
 
-    A share cuts exactly round(budget x cells that can be cut); ties are cut by row, then column.
+    A share cuts exactly round(budget x cells that can be cut); ties are cut by row, then column. A ranking that was
+    made for another budget is warned of.
     """
-    from firebreak_gis.breaks import break_polygons, select_breaks
+    from firebreak_gis.breaks import Budget, break_polygons, select_breaks
     from firebreak_gis.files import require_writable, together
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape.planes import value_plane
@@ -59,7 +60,13 @@ def command(
     if cost:
         grid = Grid.of(ranking)
         prices = value_plane(cost, grid, what="cost") * grid.cell_area_ha
-    breaks = select_breaks(ranking, budget=budget, unit=budget_unit, cost=prices)
+    amount, made = Budget(budget, budget_unit), Budget.made_for(ranking)
+    breaks = select_breaks(ranking, budget=amount, cost=prices)
+    if made is not None and made != amount:
+        session.warn(
+            f"{priority} was ranked for a budget of {made}, and its method lays another pattern for {amount}; rank "
+            f"with --budget {amount.amount:g} --budget-unit {amount.unit} for the breaks that firebreak plan makes"
+        )
     with together(Path(output.output).parent):
         write_raster(
             output.output,

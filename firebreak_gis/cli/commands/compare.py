@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from firebreak_gis.cli import kinds, options, parsing, stakes
-from firebreak_gis.cli.layers import checked_fires, input_files
+from firebreak_gis.cli.layers import checked_fires, input_files, ridges
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import FirebreakError, ParameterError, raise_together
@@ -59,7 +59,7 @@ OUTPUTS = {
     metavar="LIST",
     help="Shares of its spread probability that a treated cell keeps, separated by commas; 0 is perfect.",
 )
-@click.option("--dem", type=kinds.RASTER, metavar="RASTER", help="Elevation, for methods that follow ridges [m].")
+@options.dem
 @stakes.stakes
 @options.fires
 @options.seed
@@ -83,7 +83,6 @@ def command(
     with them, and all burn in the same ones. Writes comparison.csv, comparison.png, comparison.svg and run.json.
     """
     from firebreak_gis.files import make_folder, require_writable, together, write_text
-    from firebreak_gis.landscape.planes import value_plane
     from firebreak_gis.manifest import write_manifest
     from firebreak_gis.planning.comparison import compare_plans, comparison_table
     from firebreak_gis.planning.design import Designs
@@ -103,10 +102,9 @@ def command(
     barred, placed = planes.on(untouched)
     fires = checked_fires(fires if planes.ignition is None else replace(fires, ignitions=planes.ignition), barred)
     _require_possible(barred, placed, method_list, budgets, residuals)
-    ridges = value_plane(dem, barred.grid, what="elevation", fill=float("nan")) if dem else None
-    roads = (untouched.burnable & ~barred.burnable).astype(float) if at_stake.barriers else None
+    elevation, roads = ridges(dem, barred.grid), planes.roads(untouched)
     plans = {
-        label: Designs(barred, method, stakes=placed, params=params, elevation=ridges, roads=roads, seed=fires.seed)
+        label: Designs(barred, method, stakes=placed, params=params, elevation=elevation, roads=roads, seed=fires.seed)
         for label, method, params in method_list
     }
     result = compare_plans(

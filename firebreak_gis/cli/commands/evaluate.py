@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 import click
 
 from firebreak_gis.cli import kinds, options, parsing
-from firebreak_gis.cli.layers import checked_fires, input_files
+from firebreak_gis.cli.layers import checked_fires, input_files, ridges
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.stake_layers import StakesRequest
+from firebreak_gis.plugins import build_params, load
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
@@ -59,6 +61,7 @@ OUTPUTS = {
     help="Paired Wilcoxon signed-rank, Wilcoxon rank-sum for independent runs, or paired t.",
 )
 @click.option("--alpha", type=float, default=0.01, show_default=True, help="Significance threshold.")
+@options.dem
 @options.fires
 @options.seed
 @options.fitting("evaluate")
@@ -74,17 +77,19 @@ def command(
     budgets: list[float] | None,
     test: Test,
     alpha: float,
+    dem: str | None,
 ) -> None:
     """Judge rankings on NETWORK: mean, 90 % percentile and maximum of the burnt share at every budget.
 
-    All rankings meet the same fires. Writes evaluation.csv, evaluation.png, evaluation.svg and run.json.
+    All rankings meet the same fires, and each plan is made for its budget, as firebreak plan makes it. Writes
+    evaluation.csv, evaluation.png, evaluation.svg and run.json.
     """
     from firebreak_gis.evaluation.curves import better_range, evaluate_fires, table
     from firebreak_gis.files import make_folder, require_writable, together, write_text
     from firebreak_gis.manifest import write_manifest
+    from firebreak_gis.planning.design import Designs
     from firebreak_gis.planning.pipeline import default_budgets
     from firebreak_gis.progress import part
-    from firebreak_gis.ranking import rank
     from firebreak_gis.rasters import files_behind
     from firebreak_gis.report.curve import curve_figure
     from firebreak_gis.report.figures import save
@@ -93,18 +98,23 @@ def command(
     methods = list(method_list)
     if baseline not in {method.label for method in methods}:
         methods.append(parsing.Method(baseline, baseline, {}))
-    inputs = input_files([network, *fires.sources])
+    for _, method, params in methods:
+        build_params(load("ranking", method), params)
+    inputs = input_files([network, dem, *fires.sources])
     target = make_folder(output.output)
     files = [target / name for name in ("evaluation.csv", "evaluation.png", "evaluation.svg")]
     for name in (*files, target / "run.json"):
         require_writable(name, overwrite=output.overwrite, forbid=files_behind(inputs))
     shares = budgets or default_budgets()
     untouched = read_network(network)
+    placed = StakesRequest().read(untouched.grid, ignitions=fires.ignitions).on(untouched)[1]
     fires = checked_fires(fires, untouched)
-    priorities = {}
-    for i, (label, method, params) in enumerate(methods):
-        step = part(session.progress, 0.5 * i / len(methods), 0.5 * (i + 1) / len(methods), f"{label}: ")
-        priorities[label] = rank(untouched, method, seed=fires.seed, progress=step, **params)
+    elevation = ridges(dem, untouched.grid)
+    # A curve needs each plan once, so only the last is kept.
+    priorities = {
+        label: Designs(untouched, method, stakes=placed, params=params, elevation=elevation, seed=fires.seed, keep=1)
+        for label, method, params in methods
+    }
     result = evaluate_fires(
         untouched,
         priorities,
@@ -113,7 +123,7 @@ def command(
         baseline=baseline,
         test=test,
         alpha=alpha,
-        progress=part(session.progress, 0.5, 0.95),
+        progress=part(session.progress, 0.0, 0.95),
     )
     with together(target):
         write_text(files[0], table(result).to_csv(index=False, lineterminator="\n"), overwrite=output.overwrite)

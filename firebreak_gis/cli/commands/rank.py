@@ -5,56 +5,81 @@ from __future__ import annotations
 import click
 
 from firebreak_gis.cli import kinds, options, stakes
+from firebreak_gis.cli.layers import input_files, ridges
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
+from firebreak_gis.planning.request import DesignRequest
+from firebreak_gis.simulation.request import FireRequest
 
 
 @click.command("rank")
 @click.argument("network", type=kinds.RASTER)
 @options.output_file("Priority GeoTIFF")
+@options.budget
 @options.ranking
+@options.leaks
+@options.dem
+@options.ignition_map
 @stakes.stakes
 @options.seed
 @options.fitting("rank")
 @options.common
-@built(output=OutputRequest, at_stake=StakesRequest)
+@built(output=OutputRequest, asked=DesignRequest, fires=FireRequest, at_stake=StakesRequest)
 def command(
     session: Session,
     network: str,
     output: OutputRequest,
+    asked: DesignRequest,
+    fires: FireRequest,
     at_stake: StakesRequest,
-    method: str,
-    method_params: dict[str, str],
-    seed: int,
+    dem: str | None,
 ) -> None:
-    """Rank the cells of NETWORK by the order in which they should be cut: higher is earlier."""
+    """Rank the cells of NETWORK by the order in which they should be cut: higher is earlier.
+
+    The ranking is the one that firebreak plan makes for the same budget, leak, width, terrain and barriers. Methods
+    that lay a pattern for the budget give another ranking for another one; the file tells firebreak breaks.
+    """
     from firebreak_gis.files import require_writable
     from firebreak_gis.manifest import provenance
+    from firebreak_gis.planning.design import design
+    from firebreak_gis.planning.feasibility import feasibility, width_in_cells
     from firebreak_gis.progress import part
-    from firebreak_gis.ranking import rank
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.spread.raster import read_network
 
-    inputs = files_behind([network, *at_stake.sources])
+    inputs = files_behind(input_files([network, dem, *fires.sources, *at_stake.sources]))
     require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
     untouched = read_network(network)
-    barred, placed = at_stake.read(untouched.grid).on(untouched)
-    priority = rank(
+    planes = at_stake.read(untouched.grid, ignitions=fires.ignitions)
+    barred, placed = planes.on(untouched)
+    found = feasibility(barred, placed, budget=asked.amount, width=asked.width, residual=fires.residual)
+    found.require()
+    for sentence in found.warnings:
+        session.warn(sentence)
+    priority = design(
         barred,
-        method,
+        asked.method,
         stakes=placed,
-        seed=seed,
+        budget=asked.amount,
+        residual=fires.residual,
+        width=width_in_cells(asked.width, barred.grid.cell_size),
+        params=asked.method_params,
+        elevation=ridges(dem, barred.grid),
+        roads=planes.roads(barred),
+        seed=fires.seed,
         progress=part(session.progress, 0.05, 0.9),
-        **method_params,
     )
+    # What makes no difference is not told, so that equal rankings have equal files.
+    shaped = {"residual": fires.residual, "width": asked.width, "made_for": priority.attrs.get("made_for")}
+    parameters = {"method": asked.method, "method_params": asked.method_params}
     write_raster(
         output.output,
         priority,
         overwrite=output.overwrite,
         forbid=inputs,
-        provenance=provenance({"method": method, "method_params": method_params}, seed=seed),
+        provenance=provenance(parameters | {k: v for k, v in shaped.items() if v}, seed=fires.seed),
         creation_options=output.creation_options,
     )
-    session.finish({"files": [output.output]}, f"ranked by {method}; written to {output.output}")
+    session.finish({"files": [output.output]}, f"ranked by {asked.method}; written to {output.output}")
