@@ -1,4 +1,4 @@
-"""What is asked of the spread model: its name, its parameters and the weather, which may be rasters.
+"""What is asked of the spread model: its name, its parameters and the weather, which may be rasters or an ensemble.
 
 To add a quantity of the weather: add a field to `SpreadRequest`, its name among the model's parameters to `WEATHER`,
 how it is read to `SpreadRequest.params`, and an option of that name to `cli.options.spread`.
@@ -16,7 +16,10 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.landscape.planes import moisture_plane, wind_planes
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from firebreak_gis.grid import Grid
+    from firebreak_gis.simulation.weather import Weather, WeatherNetworks
 
 #: Fields for wind and moisture, and the parameters of spread models that they set.
 WEATHER: Mapping[str, str] = MappingProxyType(
@@ -99,5 +102,78 @@ class SpreadRequest:
             told["clock"] = True
         return {**told, **self.model_params}
 
+    def networks(self, landscape: xr.Dataset, weather: Weather, *, keep: int = 4) -> WeatherNetworks:
+        """Networks of a landscape in every weather of an ensemble, which takes the place of the one wind.
+
+        Raises
+        ------
+        ParameterError
+            If a wind, or a moisture that the ensemble tells, is given besides; or as `spread.weather_networks`.
+        """
+        from firebreak_gis.grid import Grid
+        from firebreak_gis.spread import weather_networks
+
+        told = {"wind_speed", "wind_from"}
+        if any(step.moisture is not None for spell in weather.spells for step in spell.steps):
+            told.add("moisture")
+        twice = [name for name, value in self.weather.items() if name in told and value != 0.0]
+        if twice:
+            flags = ", ".join(f"--{name.replace('_', '-')}" for name in twice)
+            raise ParameterError(f"the weather tells what {flags} gives besides; leave {flags} out")
+        params = self.params(Grid.of(landscape["burnable"]))
+        rest = {k: v for k, v in params.items() if k != "clock" and k not in {WEATHER[name] for name in told}}
+        return weather_networks(landscape, weather, model=self.model, clock=self.clock, keep=keep, **rest)
+
     def _known(self) -> set[str]:
         return {f.name for f in fields(plugins.load("spread", self.model).Params)}
+
+
+@dataclass(frozen=True)
+class WeatherRequest:
+    """An ensemble of weathers.
+
+    Parameters
+    ----------
+    weather
+        CSV file or wind rose, see `simulation.weather_reading.read_weather`; None for none.
+    weather_step
+        How long each line of a table lasts, as text ("1h").
+    weather_columns, weather_units
+        Names and units of columns by what they hold.
+    weather_ignore
+        Columns to leave out, separated by commas.
+    """
+
+    weather: str | None = None
+    weather_step: str | None = None
+    weather_columns: Mapping[str, str] = field(default_factory=dict)
+    weather_units: Mapping[str, str] = field(default_factory=dict)
+    weather_ignore: str | None = None
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """Names that may be those of files."""
+        return () if self.weather is None else (self.weather,)
+
+    def read(self) -> Weather | None:
+        """Return the ensemble; None if none is asked for.
+
+        Raises
+        ------
+        InputError, ParameterError
+            As `read_weather`; or if a table is described, and there is none.
+        """
+        from firebreak_gis.simulation.weather_reading import read_weather
+
+        ignore = [name.strip() for name in (self.weather_ignore or "").split(",") if name.strip()]
+        if self.weather is None:
+            if self.weather_step or self.weather_columns or self.weather_units or ignore:
+                raise ParameterError("a table of weather is described, but there is none; give --weather FILE")
+            return None
+        return read_weather(
+            self.weather,
+            step=self.weather_step,
+            columns=self.weather_columns,
+            units=self.weather_units,
+            ignore=ignore,
+        )

@@ -12,6 +12,8 @@ A model that knows how fast fire goes returns (probability, travel_time) or (pro
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args
 
 import numpy as np
@@ -42,14 +44,16 @@ class Spread(NamedTuple):
         (8, rows, cols) seconds along each edge, floats or whole numbers; None if the model has no clock.
     heat
         (rows, cols) heat that a cell releases per area of the map [kJ/m2]; None if not known.
-    left_out
-        What the probabilities leave out because the times have it, in words, such as "wind"; "" for nothing.
+    account
+        What is to be known of a network with times, as plain data: `left_out`, what its probabilities leave out because
+        the times have it, in words such as "wind"; `wind_speed` [m/s] and `wind_from_direction` [degrees], if they are
+        the same everywhere. It becomes the `provenance` of the network.
     """
 
     probability: np.ndarray
     travel_time: np.ndarray | None = None
     heat: np.ndarray | None = None
-    left_out: str = ""
+    account: Mapping[str, Any] = MappingProxyType({})
 
 
 def spread_network(
@@ -74,8 +78,8 @@ def spread_network(
     Returns
     -------
     SpreadNetwork
-        On the grid of the landscape, with times and heat if the model returns them. Its `provenance` has
-        `left_out` (see `Spread`) where fires without a clock would miss something.
+        On the grid of the landscape, with times and heat if the model returns them. Then its `provenance` is the
+        `account` of the `Spread`.
 
     Raises
     ------
@@ -108,7 +112,7 @@ def spread_network(
         boundary=landscape.attrs.get("boundary", "open"),
         crs=grid.crs,
         transform=grid.transform,
-        provenance={"left_out": spread.left_out} if spread.left_out else None,
+        provenance=dict(spread.account),
         travel_time=spread.travel_time,
         heat=spread.heat,
     )

@@ -163,7 +163,9 @@ class Params:
     moisture_pines: float = parameter(0.55, text="Moisture of the live fuel of pines", minimum=0.0, maximum=1.0)
 
 
-def probability(landscape: xr.Dataset, params: Params) -> np.ndarray | tuple[np.ndarray, np.ndarray, np.ndarray, str]:
+def probability(
+    landscape: xr.Dataset, params: Params
+) -> np.ndarray | tuple[np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
     """Return (8, rows, cols) float32 from `elevation`, `vegetation`, `density` and `burnable`.
 
     `vegetation_effect` and `density_effect`, where present and not NaN, take the place of the class effects. With
@@ -209,7 +211,10 @@ def probability(landscape: xr.Dataset, params: Params) -> np.ndarray | tuple[np.
     if not params.clock:
         return out
     times = _travel_time(landscape, params, out, elevation, speed * along, moisture, grid.cell_size)
-    return out, times, _heat(landscape, params, moisture), left_out
+    account: dict[str, Any] = {"left_out": left_out} if left_out else {}
+    if speed.size == 1 and np.ndim(params.wind_from_direction) == 0:
+        account |= {"wind_speed": float(speed.flat[0]), "wind_from_direction": float(params.wind_from_direction)}
+    return out, times, _heat(landscape, params, moisture), account
 
 
 def _kept(params: Params, *, windy: bool) -> tuple[Params, str]:

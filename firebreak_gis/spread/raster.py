@@ -10,7 +10,7 @@ Cost: one read.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -55,8 +55,7 @@ def read_network(path: str | Path) -> SpreadNetwork:
     planes = _read(path, unreferenced=True)
     data = planes["spread_probability"]
     values, burnable = _split(data)
-    written = data.attrs.get("provenance", {})
-    boundary = written.get("boundary")
+    boundary = data.attrs.get("provenance", {}).get("boundary")
     if boundary is None and Grid.of(data).crs is None:
         raise CRSError(
             f"{path} has no coordinate reference system; assign the one it was made in, e.g. "
@@ -66,13 +65,15 @@ def read_network(path: str | Path) -> SpreadNetwork:
         data.copy(data=values),
         burnable=None if boundary is None and burnable.all() else burnable,
         boundary=boundary or "open",
-        provenance={key: written[key] for key in ("left_out",) if key in written},
+        provenance=_account(planes),
         travel_time=planes.get("travel_time"),
         heat=planes.get("heat"),
     )
 
 
-def probability(landscape: xr.Dataset, params: Params) -> tuple[np.ndarray, np.ndarray | None, np.ndarray | None, str]:
+def probability(
+    landscape: xr.Dataset, params: Params
+) -> tuple[np.ndarray, np.ndarray | None, np.ndarray | None, dict[str, Any]]:
     """Return a `Spread` read from `params.path`; it must lie on the grid of the landscape."""
     if not params.path:
         raise ParameterError("the spread model 'raster' needs path=..., a raster of 8 bands of probabilities")
@@ -80,9 +81,19 @@ def probability(landscape: xr.Dataset, params: Params) -> tuple[np.ndarray, np.n
     data = planes["spread_probability"]
     Grid.of(landscape["burnable"]).require(Grid.of(data), params.path)
     times, heat = (planes[name].to_numpy() if name in planes else None for name in ("travel_time", "heat"))
-    return _split(data)[0], times, heat, data.attrs.get("provenance", {}).get("left_out", "")
+    return _split(data)[0], times, heat, _account(planes)
 
 
+def _account(planes: dict[str, xr.DataArray]) -> dict[str, Any]:
+    """What the tags of a network with times tell of it."""
+    if "travel_time" not in planes:
+        return {}
+    written = planes["spread_probability"].attrs.get("provenance", {})
+    return {key: read(written[key]) for key, read in _KEPT.items() if key in written}
+
+
+#: Tags that are taken over, and how they are read.
+_KEPT = {"wind_speed": float, "wind_from_direction": float, "left_out": str}
 #: Bands of each variable in a raster that does not say what its bands are.
 _BANDS = {"spread_probability": range(1, 9), "travel_time": range(9, 17), "heat": range(17, 18)}
 

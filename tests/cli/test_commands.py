@@ -358,7 +358,8 @@ def test_network_with_a_clock(folder, tmp_path):
     expected = spread_network(read_landscape_folder(folder / "land"), clock=True, wind_speed=6, wind_from_direction=90)
     np.testing.assert_array_equal(network.travel_time, expected.travel_time)
     np.testing.assert_array_equal(network.heat, expected.heat)
-    assert network.provenance["left_out"] == expected.provenance["left_out"]
+    assert network.provenance == expected.provenance
+    assert network.provenance == {"left_out": "wind and slope", "wind_speed": 6.0, "wind_from_direction": 90.0}
     given = ["--clock", "--model", "raster", "--model-param"]
     run("network", folder / "land", "-o", tmp_path / "again.tif", *given, f"path={tmp_path / 'timed.tif'}")
     again = read_network(tmp_path / "again.tif")
@@ -372,3 +373,25 @@ def test_network_with_a_clock(folder, tmp_path):
     assert "tells no times" in outcome.output
     for command in (["rank", tmp_path / "timed.tif", "--method", "degree"], ["burn", tmp_path / "timed.tif"]):
         run(*command, "-o", tmp_path / f"{command[0]}.tif")
+
+
+def test_weather_is_shown_as_it_is_read(tmp_path):
+    table = tmp_path / "weather.csv"
+    table.write_text("FF,DD,TMP\n36,270,31\n18,90,30\n")
+    assert "'FF' is not known" in run("weather", table, code=3).output
+    words = [
+        "--weather-column",
+        "wind_speed=FF",
+        "--weather-column",
+        "wind_from=DD",
+        "--weather-unit",
+        "wind_speed=km/h",
+    ]
+    told = json.loads(run("weather", table, *words, "--weather-ignore", "TMP", "--json").output)["result"]
+    assert [spell["steps"] for spell in told["spells"]] == [[[10.0, 270.0, None]], [[5.0, 90.0, None]]]
+    assert told["mean_wind_speed"] == 7.5
+    outcome = run("weather", table, *words, "--weather-ignore", "TMP", "--weather-step", "2h")
+    assert "one weather that changes with time, 2 steps" in outcome.output
+    assert "2 h" in outcome.output
+    assert "66.7%" in run("weather", "rose:NW=5x2,N=8").output
+    assert "expected where the wind comes from" in run("weather", "rose:NW5", code=2).output

@@ -10,6 +10,7 @@ import pytest
 
 import firebreak_gis as fb
 from firebreak_gis.errors import InputError, ParameterError
+from firebreak_gis.landscape.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.lattice import NEVER
 from firebreak_gis.simulation.weather import Spell, Step, Weather
 from firebreak_gis.simulation.weather_reading import read_weather
@@ -308,3 +309,25 @@ def test_what_a_model_cannot_follow_is_refused(make_landscape):
     np.testing.assert_array_equal(
         kept.travel_time, spread_network(landscape, clock=True, wind_speed=5, moisture=0.1).travel_time
     )
+
+
+def test_what_is_asked_is_what_is_read(make_landscape, table):
+    landscape = make_landscape(seed=2)
+    path = table("FF,wind_from,rain", "36,270,1", "18,90,0")
+    asked = WeatherRequest(
+        str(path), weather_columns={"wind_speed": "FF"}, weather_units={"wind_speed": "km/h"}, weather_ignore="rain"
+    )
+    weather = asked.read()
+    assert asked.sources == (str(path),)
+    request = SpreadRequest(wind_speed=0.0, wind_from=0.0, moisture=0.07, clock=True, model_params={"p0": 0.5})
+    made = request.networks(landscape, weather)
+    expected = spread_network(landscape, clock=True, wind_speed=10, wind_from_direction=270, moisture=0.07, p0=0.5)
+    np.testing.assert_array_equal(made[0].network.travel_time, expected.travel_time)
+    np.testing.assert_array_equal(made[0].network.probability, expected.probability)
+    with pytest.raises(ParameterError, match="leave --wind-speed out"):
+        SpreadRequest(wind_speed=3.0).networks(landscape, weather)
+    with pytest.raises(ParameterError, match="leave --moisture out"):
+        SpreadRequest(moisture=0.1).networks(landscape, read_weather("rose:N=5;moisture=5%"))
+    assert WeatherRequest().read() is None
+    with pytest.raises(ParameterError, match="--weather FILE"):
+        WeatherRequest(weather_step="1h").read()
