@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli import kinds, options, weather_options
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.landscape.weather import WeatherRequest
@@ -12,7 +12,7 @@ from firebreak_gis.landscape.weather import WeatherRequest
 
 @click.command("weather")
 @click.argument("weather", type=kinds.FILE_OR_TEXT)
-@options.weather_table
+@weather_options.table
 @options.common
 @built(request=WeatherRequest)
 def command(session: Session, request: WeatherRequest) -> None:
