@@ -6,7 +6,7 @@ text, and a `Kind` (or, for options that may be repeated, a callback) here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import click
@@ -16,6 +16,7 @@ from firebreak_gis.cli import parsing
 from firebreak_gis.cli.requests import note
 from firebreak_gis.landscape import legends
 from firebreak_gis.landscape.continuity import CONTINUITY
+from firebreak_gis.rasters.units import ANGLE, SHARE, SPEED
 from firebreak_gis.schema import DENSITY
 
 
@@ -78,10 +79,10 @@ def pairs(_: click.Context, param: click.Parameter, words: Any) -> dict[str, str
     return parsing.pairs(words, _flag(param))
 
 
-def _by_layer(read: Callable[[Any, str], Mapping[str, Any]]) -> Callable[[click.Context, click.Parameter, Any], Any]:
-    """Make the callback of options LAYER=VALUE that may be repeated."""
+def _from_words(read: Callable[[Any, str], Any]) -> Callable[[click.Context, click.Parameter, Any], Any]:
+    """Make the callback of options of several words, or that may be repeated."""
 
-    def callback(ctx: click.Context, param: click.Parameter, words: Any) -> Mapping[str, Any]:
+    def callback(ctx: click.Context, param: click.Parameter, words: Any) -> Any:
         note(ctx, param, words)
         return read(words, _flag(param))
 
@@ -94,7 +95,10 @@ def _flag(param: click.Parameter | None) -> str:
 
 CRS = Kind("crs")
 RASTER = Kind("raster")
-RASTER_OR_NUMBER = Kind("number|raster", read=parsing.number_or_raster)
+RASTER_OR_NUMBER = Kind("number|raster")
+WIND_SPEED = Kind("number|raster", read=parsing.measured(SPEED))
+WIND_DIRECTION = Kind("number|raster", read=parsing.measured(ANGLE))
+MOISTURE = Kind("number|raster", read=parsing.measured(SHARE))
 VECTOR_OR_RASTER = Kind("vector|raster")
 COST = Kind("vector|raster|text", read=parsing.cost)
 RASTER_OR_DENSITY = Kind("raster|choice", lambda: [*(word for code, word in DENSITY.items() if code), CONTINUITY])
@@ -107,9 +111,10 @@ NUMBERS = Kind("text", read=parsing.number_list)
 SIZE = Kind("text", read=parsing.byte_size)
 SEED = Whole(0)
 COUNT = Whole(1)
-LAYER_CRS = _by_layer(parsing.layer_crs)
-LAYER_NODATA = _by_layer(parsing.layer_numbers)
-LAYER_BAND = _by_layer(parsing.layer_band)
+WIND_COMPONENTS = _from_words(parsing.components)
+LAYER_CRS = _from_words(parsing.layer_crs)
+LAYER_NODATA = _from_words(parsing.layer_numbers)
+LAYER_BAND = _from_words(parsing.layer_band)
 NEW_RASTER = NewFile("new-raster")
 NEW_TABLE = NewFile("new-table")
 NEW_VECTOR = NewFile("new-vector")

@@ -42,9 +42,9 @@ def read_layers(request: LandscapeRequest, found: Survey, session: Session, *, p
 
 def ridges(dem: str | None, grid: Grid) -> np.ndarray | None:
     """Lay the elevation that --dem names on a grid; NaN where there is none, None where none is named."""
-    from firebreak_gis.landscape.planes import value_plane
+    from firebreak_gis.landscape.planes import elevation_plane
 
-    return value_plane(dem, grid, what="elevation", fill=float("nan")) if dem else None
+    return elevation_plane(dem, grid) if dem else None
 
 
 def checked_fires(request: FireRequest, network: SpreadNetwork) -> FireRequest:

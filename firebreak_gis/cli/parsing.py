@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from pathlib import Path
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from firebreak_gis import plugins
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.rasters import file_of
+from firebreak_gis.rasters.units import SPEED, Quantity
 
 #: The layers of a landscape, as the command line names them.
 LAYERS = ("dem", "vegetation", "density")
@@ -96,14 +95,24 @@ def byte_size(text: str | None, option: str = "--max-memory") -> int | None:
     return size
 
 
-def number_or_raster(value: Any, _: str = "") -> float | str:
-    """Read a number; anything else must name a raster that exists."""
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        if not Path(file_of(str(value))).exists():
-            raise ParameterError(f"{value!r} is neither a number nor a raster that exists") from None
-        return str(value)
+def measured(quantity: Quantity) -> Callable[[Any, str], float | str]:
+    """Make a reader of numbers, with or without a unit; anything else must name a raster that exists."""
+
+    def read(value: Any, option: str) -> float | str:
+        from firebreak_gis.landscape.weather_layers import measured
+
+        try:
+            number = measured(value, quantity)
+        except ParameterError as error:
+            raise ParameterError(f"{option}: {error}") from None
+        return str(value) if number is None else number
+
+    return read
+
+
+def components(words: Sequence[str] | None, option: str) -> tuple[float | str, ...] | None:
+    """Read the two components of a wind, each as `measured` does."""
+    return None if words is None else tuple(measured(SPEED)(word, option) for word in words)
 
 
 def cost(text: str, _: str = "") -> str | dict[str, float]:

@@ -10,13 +10,13 @@ import numpy as np
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.alignment import align_values
+from firebreak_gis.landscape.layers import elevation_on
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.rasters import header_of_array, read_header, require_georeferenced
 from firebreak_gis.vectors import is_vector, read_features, read_polygons
 
 if TYPE_CHECKING:
     import geopandas as gpd
-    import xarray as xr
 
 Source = str | os.PathLike[str] | Any
 
@@ -89,37 +89,6 @@ def mask_plane(source: Source, grid: Grid, *, what: str, touched: bool = False) 
     return mask
 
 
-def wind_planes(speed: Source | float, from_direction: Source | float, grid: Grid) -> tuple[Any, Any]:
-    """Read wind onto a grid, the direction as a vector: between 350 and 10 degrees lies 0, not 180.
-
-    Parameters
-    ----------
-    speed, from_direction
-        Numbers or rasters [m/s; degrees clockwise from north, where the wind comes from].
-    grid
-        The grid of the network.
-
-    Returns
-    -------
-    tuple
-        Speed and direction, each a number or (rows, cols) float64.
-    """
-    if _number(speed) is not None and _number(from_direction) is not None:
-        return _number(speed), _number(from_direction)
-    strength: Any = _number(speed)
-    if strength is None:
-        strength = value_plane(speed, grid, what="wind speed", fill=np.nan)
-    direction: Any = _number(from_direction)
-    if direction is None:
-        header = _header(from_direction)
-        angle = np.radians(_whole(header))
-        east, north = (_aligned(header, np.asarray(f(angle)), grid, "wind direction") for f in (np.sin, np.cos))
-        direction = np.degrees(np.arctan2(east, north)) % 360.0
-    _require_whole("wind speed", strength)
-    _require_whole("wind direction", direction)
-    return strength, direction
-
-
 def ignition_source(source: Source | None, grid: Grid) -> Any:
     """Return what tells where fires start: a raster laid on the grid, anything else as it is.
 
@@ -135,44 +104,24 @@ def ignition_source(source: Source | None, grid: Grid) -> Any:
     return value_plane(source, grid, what="ignitions")
 
 
-def moisture_plane(source: Source | float, grid: Grid) -> Any:
-    """Read the moisture of the fine dead fuel, a share of its dry weight, onto a grid.
+def elevation_plane(source: Source, grid: Grid, account: Account | None = None) -> np.ndarray:
+    """Read elevations onto a grid, in metres, looked at as those of a landscape are.
 
     Parameters
     ----------
     source
-        A number or a raster.
+        Raster on any grid (path or DataArray).
     grid
         The grid of the network.
+    account
+        Gets sentences on what was done.
 
     Returns
     -------
-    float or numpy.ndarray
-        The number, or (rows, cols) float64.
+    numpy.ndarray
+        (rows, cols) float64, NaN where it has no data.
     """
-    if (number := _number(source)) is not None:
-        return number
-    plane = value_plane(source, grid, what="moisture", fill=np.nan)
-    _require_whole("moisture", plane)
-    if plane.max() > 1:
-        raise InputError(
-            f"{source} holds moisture up to {plane.max():g}, expected shares of the dry weight (8 % is 0.08); "
-            "if it is in percent, set the scale: gdal_edit.py -scale 0.01 FILE"
-        )
-    return plane
-
-
-def _require_whole(name: str, plane: Any) -> None:
-    missing = int(np.count_nonzero(~np.isfinite(plane)))
-    if missing:
-        raise InputError(f"{name} has no data on {missing} cells of the landscape; give a raster that covers it")
-
-
-def _number(value: Any) -> float | None:
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        return None
+    return elevation_on(_header(source), grid, Account() if account is None else account).astype(np.float64)
 
 
 def _header(source: Source) -> Any:
@@ -188,19 +137,6 @@ def _raster(source: Source, grid: Grid, what: str) -> np.ndarray:
             raise InputError(f"{what} has shape {source.shape}, expected {grid.shape}")
         return source.astype(np.float64)
     return align_values(_header(source), grid, what, Account()).astype(np.float64)
-
-
-def _whole(header: Any) -> np.ndarray:
-    """All values of a raster, NaN where it has none."""
-    from firebreak_gis.rasters import read_cells
-
-    cells = read_cells(header)
-    return np.where(cells.valid, cells.values, np.nan)
-
-
-def _aligned(header: Any, values: np.ndarray, grid: Grid, what: str) -> np.ndarray:
-    source: xr.DataArray = Grid(header.shape, header.transform, header.crs).dataarray(values, what.replace(" ", "_"))
-    return align_values(header_of_array(source), grid, what, Account()).astype(np.float64)
 
 
 def _burn_in(

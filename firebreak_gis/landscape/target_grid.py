@@ -25,6 +25,7 @@ from firebreak_gis.projections import (
 from firebreak_gis.rasters import Header, read_header, require_georeferenced
 
 if TYPE_CHECKING:
+    import xarray as xr
     from pyproj import CRS
 
 #: Layers that share less than this part of the smallest one do not belong together.
@@ -66,6 +67,11 @@ class Account:
         if self.strict:
             raise InputError(f"{text}; refused by --strict")
         self.warnings.append(text)
+
+    def added_to(self, landscape: xr.Dataset) -> xr.Dataset:
+        """Return a landscape whose own account, in its attributes, goes on with this one."""
+        more = {"alignment": self.alignment, "warnings": self.warnings}
+        return landscape.assign_attrs({key: [*landscape.attrs.get(key, []), *lines] for key, lines in more.items()})
 
 
 def choose_grid(

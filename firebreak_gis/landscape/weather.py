@@ -11,14 +11,17 @@ from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from firebreak_gis import plugins
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.landscape.planes import moisture_plane, wind_planes
+from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.landscape.weather_layers import WeatherReader
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from firebreak_gis.grid import Grid
     from firebreak_gis.simulation.weather import Weather, WeatherNetworks
 
 #: Fields for wind and moisture, and the parameters of spread models that they set.
@@ -37,6 +40,8 @@ class SpreadRequest:
         Name and parameters, see `spread.spread_network`; what is given here wins over the weather.
     wind_speed, wind_from, moisture
         [m/s], [degrees], [1]: numbers, or rasters on any grid; None is left to the model.
+    wind_uv
+        Rasters of the components of the wind towards east and north, in place of `wind_speed` and `wind_from`.
     clock
         Whether the model is to tell how long fire takes, too.
     """
@@ -46,6 +51,7 @@ class SpreadRequest:
     wind_speed: float | str | None = None
     wind_from: float | str | None = None
     moisture: float | str | None = None
+    wind_uv: tuple[float | str, float | str] | None = None
     clock: bool = False
 
     @property
@@ -57,7 +63,7 @@ class SpreadRequest:
     @property
     def sources(self) -> tuple[str, ...]:
         """Names of rasters."""
-        return tuple(value for value in self.weather.values() if isinstance(value, str))
+        return tuple(value for value in (*self.weather.values(), *(self.wind_uv or ())) if isinstance(value, str))
 
     def require(self) -> None:
         """Refuse what the model does not know, or numbers out of its range, before any raster is read.
@@ -73,6 +79,11 @@ class SpreadRequest:
             if WEATHER[option] not in known and value != 0.0:
                 flag = option.replace("_", "-")
                 raise ParameterError(f"the spread model {self.model!r} knows no {WEATHER[option]}; leave --{flag} out")
+        if self.wind_uv and not {"wind_speed", "wind_from_direction"} <= known:
+            raise ParameterError(f"the spread model {self.model!r} knows no wind; leave --wind-uv out")
+        still = (None, 0.0)
+        if self.wind_uv and any(isinstance(w, np.ndarray) or w not in still for w in (self.wind_speed, self.wind_from)):
+            raise ParameterError("--wind-uv is the whole wind; leave --wind-speed and --wind-from out")
         if self.clock and "clock" not in known and self.model != "raster":
             raise ParameterError(f"the spread model {self.model!r} tells no times; leave --clock out")
         numbers = {
@@ -82,20 +93,34 @@ class SpreadRequest:
         }
         plugins.build_params(module, {**numbers, **self.model_params})
 
-    def params(self, grid: Grid) -> dict[str, Any]:
-        """Parameters of the spread model; rasters of the weather are laid on the grid.
+    def params(self, landscape: xr.Dataset, account: Account | None = None) -> dict[str, Any]:
+        """Parameters of the spread model; rasters of the weather are laid on the grid of a landscape.
+
+        Parameters
+        ----------
+        landscape
+            As `read_landscape` returns it; where nothing burns the weather may be unknown.
+        account
+            Gets sentences on what was done.
 
         Raises
         ------
         InputError
             If a raster cannot be laid on the grid.
         """
+        reader = WeatherReader(
+            Grid.of(landscape["burnable"]), landscape["burnable"].to_numpy(), Account() if account is None else account
+        )
         planes: dict[str, Any] = {}
-        if self.wind_speed is not None or self.wind_from is not None:
-            speed, direction = wind_planes(self.wind_speed or 0.0, self.wind_from or 0.0, grid)
+        if self.wind_uv:
+            planes |= dict(zip(("wind_speed", "wind_from"), reader.components(*self.wind_uv), strict=True))
+        elif self.wind_speed is not None or self.wind_from is not None:
+            speed, direction = reader.wind(
+                *(0.0 if wind is None else wind for wind in (self.wind_speed, self.wind_from))
+            )
             planes |= {"wind_speed": speed, "wind_from": direction}
         if self.moisture is not None:
-            planes["moisture"] = moisture_plane(self.moisture, grid)
+            planes["moisture"] = reader.moisture(self.moisture)
         known = self._known()
         told = {WEATHER[option]: plane for option, plane in planes.items() if WEATHER[option] in known}
         if self.clock and "clock" in known:
@@ -110,17 +135,17 @@ class SpreadRequest:
         ParameterError
             If a wind, or a moisture that the ensemble tells, is given besides; or as `spread.weather_networks`.
         """
-        from firebreak_gis.grid import Grid
         from firebreak_gis.spread import weather_networks
 
         told = {"wind_speed", "wind_from"}
         if any(step.moisture is not None for spell in weather.spells for step in spell.steps):
             told.add("moisture")
         twice = [name for name, value in self.weather.items() if name in told and value != 0.0]
+        twice += ["wind_uv"] if self.wind_uv else []
         if twice:
             flags = ", ".join(f"--{name.replace('_', '-')}" for name in twice)
             raise ParameterError(f"the weather tells what {flags} gives besides; leave {flags} out")
-        params = self.params(Grid.of(landscape["burnable"]))
+        params = self.params(landscape)
         rest = {k: v for k, v in params.items() if k != "clock" and k not in {WEATHER[name] for name in told}}
         return weather_networks(landscape, weather, model=self.model, clock=self.clock, keep=keep, **rest)
 

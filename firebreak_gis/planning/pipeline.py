@@ -13,7 +13,7 @@ from firebreak_gis.construction.compartments import compartments
 from firebreak_gis.construction.segments import segments
 from firebreak_gis.evaluation.curves import evaluate_fires
 from firebreak_gis.evaluation.measures import judge, resamples
-from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.landscape.weather import SpreadRequest
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
@@ -270,9 +270,10 @@ def make_plan(
         As in `plan`.
     """
     asked, fires = request.design, request.fires
-    untouched = spread_network(
-        landscape, model=request.spread.model, **request.spread.params(Grid.of(landscape["burnable"]))
-    )
+    account = Account()
+    weather = request.spread.params(landscape, account)
+    landscape = account.added_to(landscape)
+    untouched = spread_network(landscape, model=request.spread.model, **weather)
     network, stakes = planes.on(untouched)
     if planes.ignition is not None and fires.ignitions is None:
         fires = replace(fires, ignitions=stakes.ignition)

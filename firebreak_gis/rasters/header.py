@@ -14,8 +14,9 @@ from affine import Affine
 from firebreak_gis.errors import CRSError, GridError, InputError
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.projections import ASSIGNING, horizontal, require_plausible, vertical_factor
-from firebreak_gis.rasters.naming import short_name
+from firebreak_gis.rasters.naming import banded, short_name
 from firebreak_gis.rasters.opening import open_raster
+from firebreak_gis.rasters.units import QUANTITIES, unit_in
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -118,7 +119,7 @@ def read_header(
     ----------
     path
         Any raster that GDAL reads; a variable of a file with several by name, `a.nc:dem`, or as GDAL writes it,
-        `NETCDF:"a.nc":dem`.
+        `NETCDF:"a.nc":dem`; a band by its number, `a.tif:2`.
     band
         Band number from 1; needed when there are several data bands.
     src_nodata
@@ -131,9 +132,9 @@ def read_header(
     InputError
         If the file cannot be used, or it is not clear which band is meant.
     """
-    with open_raster(path, remote=remote) as source:
-        name = os.fspath(path)
-        number = _choose_band(source, name, band)
+    name, numbered = banded(os.fspath(path))
+    with open_raster(name, remote=remote) as source:
+        number = _choose_band(source, name, numbered if band is None else band)
         dtype = source.dtypes[number - 1]
         if np.dtype(dtype).kind not in "iufb":
             raise InputError(f"{name} holds {dtype} values, expected real numbers; extract one part of them first")
@@ -155,7 +156,7 @@ def read_header(
             masked=src_nodata is None and "per_dataset" in flags,
             scale=float(source.scales[number - 1]),
             offset=float(source.offsets[number - 1]),
-            units=source.units[number - 1] or _lcp_unit(source, number),
+            units=_unit_of(source, number),
             vertical=None if full is None else vertical_factor(full),
             palette=source.colorinterp[number - 1].name == "palette",
             located_by=_located_by(source),
@@ -270,7 +271,7 @@ def _choose_band(source: Any, name: str, band: int | None) -> int:
         return data[0]
     if {"red", "green", "blue"} <= set(colours) or {"cyan", "magenta", "yellow"} <= set(colours):
         raise InputError(f"{name} is a colour picture of a map, not a map of values; use the raster it was drawn from")
-    raise InputError(f"{name} has {source.count} bands; choose one (--bidx, or band=)")
+    raise InputError(f"{name} has {source.count} bands; choose one (--bidx, band=), or by its number: {name}:1")
 
 
 def _crs_of(source: Any) -> tuple[CRS | None, CRS | None]:
@@ -284,9 +285,16 @@ def _crs_of(source: Any) -> tuple[CRS | None, CRS | None]:
     return full, parse_crs(epsg) if epsg else flat
 
 
-def _lcp_unit(source: Any, band: int) -> str:
-    """Unit of the elevation in a FlamMap landscape, which keeps it among the metadata; else ""."""
-    return str(source.tags(band).get("ELEVATION_UNIT_NAME", "")) if source.driver == "LCP" else ""
+def _unit_of(source: Any, band: int) -> str:
+    """Unit of a band: as GDAL tells it, else among its metadata (as in FlamMap landscapes), else in its description."""
+    if unit := source.units[band - 1]:
+        return str(unit)
+    tags = {str(key).lower(): str(value) for key, value in source.tags(band).items()}
+    for key in ("units", "unit", "elevation_unit_name"):
+        if key in tags:
+            return tags[key]
+    described = unit_in(source.descriptions[band - 1] or "")
+    return described if any(quantity.knows(described) for quantity in QUANTITIES) else ""
 
 
 def _located_by(source: Any) -> str:

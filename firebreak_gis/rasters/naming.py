@@ -14,6 +14,8 @@ _VARIABLE = re.compile(r"^(?P<file>.+\.(?P<kind>nc|nc4|cdf|h5|hdf5|he5)):(?P<var
 _SUBDATASET = re.compile(
     r"^(?P<driver>NETCDF|HDF5|HDF4_SDS|HDF4_EOS|GTIFF_DIR|GPKG|ZARR):(?P<rest>.+)$", re.IGNORECASE | re.DOTALL
 )
+#: `FILE.tif:2`, a band by its number.
+_BAND = re.compile(r"^(?P<raster>.+):(?P<band>[1-9]\d{0,4})$", re.DOTALL)
 #: Addresses of the net, of archives and of servers.
 _REMOTE = re.compile(r"^(/vsi|[A-Za-z0-9+.-]{2,}://|[A-Za-z0-9_]{2,}:)")
 
@@ -27,6 +29,14 @@ def gdal_name(name: str) -> str:
     return f'{driver}:"{found["file"]}":{found["variable"]}'
 
 
+def banded(name: str) -> tuple[str, int | None]:
+    """Split off the number of a band: `a.tif:2` is band 2 of a.tif, if that is a file and the whole name is none."""
+    found = None if stands(name) else _BAND.match(name)
+    if found is None or not stands(file_of(found["raster"])):
+        return name, None
+    return found["raster"], int(found["band"])
+
+
 def short_name(name: str) -> str:
     """Return the name for people: `NETCDF:"a.nc":dem` becomes `a.nc:dem`."""
     found = re.match(r'^(?:NETCDF|HDF5):"?(?P<file>[^"]+?)"?:(?P<variable>[^:"]+)$', name, re.IGNORECASE)
@@ -35,9 +45,11 @@ def short_name(name: str) -> str:
 
 
 def file_of(name: str) -> str:
-    """Return the file that a name speaks of: `a.nc` for `a.nc:dem`."""
+    """Return the file that a name speaks of: `a.nc` for `a.nc:dem`, `a.tif` for `a.tif:2`."""
     if stands(name):
         return name
+    if (found := _BAND.match(name)) and stands(file_of(found["raster"])):
+        return file_of(found["raster"])
     if found := _VARIABLE.match(name):
         return found["file"]
     if found := _SUBDATASET.match(name):

@@ -207,6 +207,9 @@ COST = Quantity(
 )
 
 
+QUANTITIES = (LENGTH, SPEED, SHARE, ANGLE, COST)
+
+
 def told(unit: str) -> str:
     """Return the unit without brackets; "" if it says that it is none.
 

@@ -195,8 +195,8 @@ def probability(
     type_effect = _effect(landscape, "vegetation", (0.0, params.agricultural, params.shrubs, params.pines))
     density_effect = _effect(landscape, "density", (0.0, params.sparse, params.normal, params.dense))
     flammability = np.maximum(params.p0 * (1.0 + type_effect) * (1.0 + density_effect), 0.0)
-    speed, along = _wind(grid, params)
-    moisture = _on_grid(grid, params.moisture, "moisture")
+    speed, along = _wind(grid, params, burnable)
+    moisture = _on_grid(grid, params.moisture, "moisture", burnable)
     kept, left_out = _kept(params, windy=bool(speed.any())) if params.clock else (params, "")
     wind = np.exp(speed * (kept.c1 + kept.c2 * (along - 1.0))) if kept.c1 or kept.c2 else np.ones((8, 1, 1))
     out = np.empty((8, *grid.shape), np.float32)
@@ -311,10 +311,10 @@ def _effect(landscape: xr.Dataset, name: str, effects: tuple[float, ...]) -> np.
     return values
 
 
-def _wind(grid: Grid, params: Params) -> tuple[np.ndarray, np.ndarray]:
+def _wind(grid: Grid, params: Params, burnable: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Wind speed, (1, 1) or (rows, cols), and cos phi of every direction, (8, 1, 1) or (8, rows, cols); float64."""
-    speed = _on_grid(grid, params.wind_speed, "wind_speed")
-    blows_from = _on_grid(grid, params.wind_from_direction, "wind_from_direction")
+    speed = _on_grid(grid, params.wind_speed, "wind_speed", burnable)
+    blows_from = _on_grid(grid, params.wind_from_direction, "wind_from_direction", burnable)
     blows_to = np.radians(blows_from + 180.0)
     azimuth = np.radians(np.array(AZIMUTH))[:, None, None]
     return speed, np.cos(azimuth - blows_to)
@@ -331,8 +331,8 @@ def _moisten(out: np.ndarray, moisture: np.ndarray, boundary: Boundary) -> None:
         out[d] *= neighbour(plane, d, boundary)
 
 
-def _on_grid(grid: Grid, value: Any, name: str) -> np.ndarray:
-    """(1, 1) of a number, (rows, cols) of a raster; float64."""
+def _on_grid(grid: Grid, value: Any, name: str, burnable: np.ndarray) -> np.ndarray:
+    """(1, 1) of a number, (rows, cols) of a raster, which must be known where something burns; float64."""
     array = np.asarray(value, dtype=np.float64)
     if array.ndim == 0:
         return array.reshape(1, 1)
@@ -344,11 +344,13 @@ def _on_grid(grid: Grid, value: Any, name: str) -> np.ndarray:
         raise GridError(f"{name} has shape {array.shape}, expected a number or {grid.shape}")
     limits = next(f.metadata for f in fields(Params) if f.name == name)
     low, high = limits["minimum"], limits["maximum"]
-    if not ((array >= low) & (array <= high)).all():  # also catches NaN
+    inside = (array >= low) & (array <= high)  # not NaN
+    if not (inside | (np.isnan(array) & ~burnable)).all():
+        array = array[burnable | ~np.isnan(array)]
         present = array[np.isfinite(array)]
         span = f"lies in [{present.min():g}, {present.max():g}]" if present.size else "holds no numbers"
         raise ParameterError(
             f"the raster {name} {span} with {array.size - present.size} gaps, "
-            f"expected {low:g} to {high:g} {limits['units']} in every cell"
+            f"expected {low:g} to {high:g} {limits['units']} in every cell with fuel"
         )
-    return array
+    return array if inside.all() else np.where(inside, array, low)  # what is not known where nothing burns

@@ -11,7 +11,8 @@ from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.landscape import read_landscape
 from firebreak_gis.landscape.continuity import continuity
-from firebreak_gis.landscape.planes import ignition_source, moisture_plane, wind_planes
+from firebreak_gis.landscape.planes import ignition_source
+from firebreak_gis.landscape.weather_layers import WeatherReader
 from tests.places import NORTH_WEST, UTM, patches, real, relief, shared, square, write
 
 GRID = Grid((20, 30), square(), parse_crs(UTM))
@@ -19,6 +20,14 @@ GRID = Grid((20, 30), square(), parse_crs(UTM))
 
 def raster(folder, values, name="a.tif", **more):
     return str(write(folder / name, np.asarray(values, "float32"), **more))
+
+
+def wind_planes(speed, from_direction, grid):
+    return WeatherReader(grid).wind(speed, from_direction)
+
+
+def moisture_plane(source, grid):
+    return WeatherReader(grid).moisture(source)
 
 
 def apart(one, other):

@@ -280,7 +280,7 @@ def test_wind_rasters_must_fit(make_landscape):
     shape = grid.shape
     for wrong in (np.nan, 61.0, -0.1):
         speed = np.full(shape, 4.0)
-        speed[2, 3] = wrong
+        speed[tuple(np.argwhere(landscape["burnable"].to_numpy())[20])] = wrong
         with pytest.raises(ParameterError, match="wind_speed"):
             spread_network(landscape, wind_speed=speed)
     with pytest.raises(ParameterError, match="wind_from_direction"):

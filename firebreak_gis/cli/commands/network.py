@@ -37,8 +37,8 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
     fires without one.
     """
     from firebreak_gis.files import require_writable
-    from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import read_landscape_folder
+    from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.manifest import provenance
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.spread import spread_network
@@ -47,13 +47,21 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
     require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
     spread.require()
     landscape = read_landscape_folder(folder)
-    grid = Grid.of(landscape["burnable"])
     session.progress(0.2, "spread network")
-    network = spread_network(landscape, model=spread.model, **spread.params(grid))
+    account = Account()
+    network = spread_network(landscape, model=spread.model, **spread.params(landscape, account))
+    for sentence in account.alignment:
+        session.say(sentence)
+    for sentence in account.warnings:
+        session.warn(sentence)
     if spread.clock:
         network.require_times("--clock")
     session.progress(0.6, "writing")
-    told = {key: value for key, value in recorded().items() if key in ("model", *WEATHER) or (key == "clock" and value)}
+    told = {
+        key: value
+        for key, value in recorded().items()
+        if key in ("model", "wind_uv", *WEATHER) or (key == "clock" and value)
+    }
     tags = (
         provenance({**told, "model_params": [f"{name}={value}" for name, value in spread.model_params.items()]})
         | network.provenance

@@ -105,6 +105,9 @@ def command(
         checked=lambda found: _tell(session, found, strict=layers.strict),
         progress=part(session.progress, 0.1, 0.8),
     )
+    for key, say in (("alignment", session.say), ("warnings", session.warn)):  # what was done to the weather
+        for sentence in result.landscape.attrs[key][len(landscape.attrs[key]) :]:
+            say(sentence)
     files = write_plan(
         result,
         output.output,

@@ -60,7 +60,7 @@ def command(
     from firebreak_gis.construction.segments import segments
     from firebreak_gis.construction.writing import write_compartments, write_segments
     from firebreak_gis.files import require_writable
-    from firebreak_gis.landscape.planes import value_plane
+    from firebreak_gis.landscape.planes import elevation_plane
     from firebreak_gis.rasters import files_behind, read_variable
     from firebreak_gis.spread.raster import read_network
 
@@ -77,7 +77,7 @@ def command(
         barred,
         cut,
         priority=read_variable(priority, "priority") if priority else None,
-        elevation=value_plane(dem, barred.grid, what="elevation", fill=float("nan")) if dem else None,
+        elevation=elevation_plane(dem, barred.grid) if dem else None,
         cost=placed.cost,
         value=placed.value,
         ignition=placed.ignition,
