@@ -1,4 +1,4 @@
-"""Options of weather that several commands share; `landscape.weather.WeatherRequest` takes them."""
+"""Options of the spread model and of weather that several commands share; `landscape.weather` has their requests."""
 
 from __future__ import annotations
 
@@ -56,3 +56,69 @@ def table(command: F) -> F:
     for option in reversed(options):
         command = option(command)
     return command
+
+
+def spread(command: F) -> F:
+    """The spread model and the wind."""
+    options = [
+        click.option(
+            "--model",
+            type=kinds.SPREAD,
+            metavar="NAME",
+            default="alexandridis",
+            show_default=True,
+            help="Spread model (firebreak methods).",
+        ),
+        click.option(
+            "--wind-speed",
+            type=kinds.WIND_SPEED,
+            metavar="M/S",
+            default="0",
+            show_default=True,
+            help="Wind speed: a number, in m/s or with its unit (20km/h, 10kn, 4bf), or a raster on any grid.",
+        ),
+        click.option(
+            "--wind-from",
+            type=kinds.WIND_DIRECTION,
+            metavar="DEGREES",
+            default="0",
+            show_default=True,
+            help="Direction the wind comes from, clockwise from north: 270 is a west wind; a number or a raster.",
+        ),
+        click.option(
+            "--wind-uv",
+            type=kinds.RASTER_OR_NUMBER,
+            nargs=2,
+            callback=kinds.WIND_COMPONENTS,
+            metavar="U V",
+            help="Components of the wind towards east and north, in place of the two above: rasters on any grid.",
+        ),
+        click.option(
+            "--moisture",
+            type=kinds.MOISTURE,
+            metavar="SHARE",
+            default="0",
+            show_default=True,
+            help="Moisture of the fine dead fuel as a share of its dry weight (8 % is 0.08 or 8%), or a raster of it.",
+        ),
+        click.option(
+            "--model-param",
+            "model_params",
+            multiple=True,
+            callback=kinds.pairs,
+            metavar="NAME=VALUE",
+            help="Parameter of the spread model, e.g. p0=0.5; may be repeated.",
+        ),
+    ]
+    for option in reversed(options):
+        command = option(command)
+    return command
+
+
+def clock(command: F) -> F:
+    """--clock."""
+    return click.option(
+        "--clock",
+        is_flag=True,
+        help="Also tell how long fire takes from cell to cell (bands 9 to 16, seconds) and the heat of each cell.",
+    )(command)

@@ -1,7 +1,7 @@
 """What is asked of the spread model: its name, its parameters and the weather, which may be rasters or an ensemble.
 
 To add a quantity of the weather: add a field to `SpreadRequest`, its name among the model's parameters to `WEATHER`,
-how it is read to `SpreadRequest.params`, and an option of that name to `cli.options.spread`.
+how it is read to `SpreadRequest.params`, and an option of that name to `cli.weather_options.spread`.
 """
 
 from __future__ import annotations

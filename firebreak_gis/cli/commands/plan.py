@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import options, stakes
+from firebreak_gis.cli import options, stakes, weather_options
 from firebreak_gis.cli.layers import input_files, read_layers
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
 from firebreak_gis.cli.requests import built, recorded
@@ -53,7 +53,7 @@ OUTPUTS = {
 @stakes.stakes
 @options.fires
 @options.seed
-@options.spread
+@weather_options.spread
 @options.landscape
 @options.common
 @built(
