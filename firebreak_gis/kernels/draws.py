@@ -28,7 +28,20 @@ _HIGH = np.uint64(0x8080808080808080)
 _ONES = np.uint64(0x0101010101010101)
 
 #: What a stream is for; part of the key, so that purposes never share draws.
-PURPOSES = ("edges", "ignitions", "ranking", "forest", "pivots", "durations", "weather", "embers", "hold")
+PURPOSES = (
+    "edges",
+    "ignitions",
+    "ranking",
+    "forest",
+    "pivots",
+    "durations",
+    "weather",
+    "embers",
+    "hold",
+    "design",
+    "check",
+    "comparison",
+)
 
 
 class Thresholds(NamedTuple):
@@ -50,6 +63,15 @@ def stream_key(seed: int, purpose: str) -> np.uint64:
     """Key of the stream of (seed, purpose); `purpose` is one of `PURPOSES`, `seed` any integer >= 0."""
     sequence = np.random.SeedSequence([seed, PURPOSES.index(purpose)])
     return np.uint64(sequence.generate_state(1, np.uint64)[0])
+
+
+def seed_for(seed: int, purpose: str) -> int:
+    """Seed of fires that share no draw with those of `seed` itself, nor with those for another purpose.
+
+    Designs see the fires "design", a plan that was improved is checked on "check", and comparisons burn "comparison",
+    so that no plan is judged on fires that it has seen.
+    """
+    return int(stream_key(seed, purpose)) >> 1  # fits into 64 bits with a sign, as files and tables keep it
 
 
 def run_keys(seed: int, purpose: str, n_runs: int, first_run: int = 0) -> np.ndarray:

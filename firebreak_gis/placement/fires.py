@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.kernels.draws import Thresholds, run_keys, stream_key, thresholds, uniforms
+from firebreak_gis.kernels.draws import Thresholds, run_keys, seed_for, stream_key, thresholds, uniforms
 from firebreak_gis.kernels.percolation import Steps, burn_runs, steps
 from firebreak_gis.threads import run_pieces
 
@@ -20,8 +20,6 @@ if TYPE_CHECKING:
 
 #: Pieces into which runs are split; fixed, so that sums have one order for any number of threads.
 PIECES = 8
-#: Added to the seed, so that the fires of a design differ from those of a simulation with the same seed.
-_DESIGN = 104_729
 #: Cells times runs that are burnt without threads.
 _SMALL = 200_000
 
@@ -51,15 +49,25 @@ class Fires:
     grid_steps: Steps
 
 
-def design_fires(network: SpreadNetwork, stakes: Stakes, *, n_runs: int, seed: int, residual: float = 0.0) -> Fires:
-    """Draw the fires that a plan is designed with, ignitions by their weights in `stakes`.
+def design_fires(
+    network: SpreadNetwork,
+    stakes: Stakes,
+    *,
+    n_runs: int,
+    seed: int,
+    residual: float = 0.0,
+    purpose: str = "design",
+) -> Fires:
+    """Draw the fires that a plan is designed with, or checked on, ignitions by their weights in `stakes`.
 
     The n-th fire starts in the n-th of `n_runs` equal shares of the ignition weights (systematic sampling), which
-    takes much of the noise out of means. `residual` is the share of its spread probability that an edge into a cut
-    cell keeps.
+    takes much of the noise out of means. The draws are other ones than those of a simulation with the same seed, and
+    than those for another purpose, see `draws.seed_for`. `residual` is the share of its spread probability that an
+    edge into a cut cell keeps.
     """
     cumulative = np.cumsum(stakes.ignition.ravel())
-    start = uniforms(stream_key(seed + _DESIGN, "ignitions"), 1)
+    own = seed_for(seed, purpose)
+    start = uniforms(stream_key(own, "ignitions"), 1)
     cells = np.searchsorted(cumulative, (np.arange(n_runs) + start) / n_runs * cumulative[-1], side="right")
     last = int(np.flatnonzero(stakes.ignition.ravel())[-1])
     leaks = Thresholds(np.zeros(0, np.uint64), np.zeros((0, 3), np.uint64))
@@ -68,7 +76,7 @@ def design_fires(network: SpreadNetwork, stakes: Stakes, *, n_runs: int, seed: i
     return Fires(
         thresholds(network.probability),
         leaks,
-        run_keys(seed + _DESIGN, "edges", n_runs),
+        run_keys(own, "edges", n_runs),
         np.minimum(cells, last),
         steps(network.shape, periodic=network.boundary == "periodic"),
     )

@@ -12,6 +12,7 @@ from firebreak_gis.breaks import Budget, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.curves import Ranker, burnt_under
 from firebreak_gis.evaluation.measures import judge, resamples
+from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.simulation.fires import burn, resolved
 
@@ -21,9 +22,6 @@ if TYPE_CHECKING:
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.request import FireRequest
-
-#: Added to the seed of the design, so that no plan is judged on fires that it has seen.
-FRESH = 7919
 
 
 def compare_plans(
@@ -76,7 +74,7 @@ def compare_plans(
     if not budgets or not residuals:
         raise ParameterError("give at least one budget and one residual")
     report = progress or silent
-    fresh = replace(fires, seed=fires.seed + FRESH)
+    fresh = replace(fires, seed=seed_for(fires.seed, "comparison"))
     fresh = replace(fresh, ignitions=resolved(network, fresh))
     worth = network.burnable.astype(np.float64) if value is None else value
     untreated = burn(network, fresh, value=worth, threads=threads, progress=part(report, 0.0, 0.02, "untreated: "))

@@ -38,8 +38,6 @@ _TENURE = 7
 _PATIENCE = 10
 #: Cells that are left at most when the plan is disturbed.
 _MOST = 16
-#: Added to the seed for the fires on which an improvement must hold.
-_CHECK = 15_485_863
 
 
 class _Plan:
@@ -209,7 +207,7 @@ def refine(
     after = np.zeros(network.shape, bool)
     after.ravel()[cells] = True
     if fires is None:
-        check = design_fires(network, stakes, n_runs=n_runs, seed=seed + _CHECK, residual=residual)
+        check = design_fires(network, stakes, n_runs=n_runs, seed=seed, residual=residual, purpose="check")
         old, new = (
             losses(network, stakes, cut, check, residual=residual, threads=threads, progress=part(progress, 0.9, 1.0))
             for cut in (before > 0, after)

@@ -1,5 +1,7 @@
 """R(d_f): statistics against numpy and scipy, pairing, refusals; comparison of plans."""
 
+import math
+
 import numpy as np
 import pytest
 from scipy import stats
@@ -7,7 +9,8 @@ from scipy import stats
 from firebreak_gis import SpreadNetwork, evaluate, rank, select_breaks, simulate
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.curves import better_range, compare, summarise, table
-from firebreak_gis.planning.comparison import FRESH, compare_plans, comparison_table
+from firebreak_gis.kernels.draws import seed_for
+from firebreak_gis.planning.comparison import compare_plans, comparison_table
 from firebreak_gis.simulation.request import FireRequest
 
 
@@ -108,7 +111,9 @@ def test_comparison_is_made_on_fresh_shared_fires(network, priorities):
     for name, priority in priorities.items():
         mask = select_breaks(priority, budget=0.3, burnable=network.burnable)
         for residual in (0.0, 0.1):
-            burns = simulate(network, breaks=mask, residual=residual, value=value, n_runs=50, seed=4 + FRESH)
+            burns = simulate(
+                network, breaks=mask, residual=residual, value=value, n_runs=50, seed=seed_for(4, "comparison")
+            )
             picked = result.sel(ranking=name, budget=0.3, residual=residual)
             np.testing.assert_array_equal(picked["burnt"], burns["fire_size"])
             np.testing.assert_allclose(picked["lost"], burns["value_lost"])
@@ -141,3 +146,27 @@ def test_range_of_significance():
     result = summarise({"a": base + shift, "random": base}, budgets=[0, 0.1, 0.2, 0.3, 0.4])
     assert better_range(result, "a") == [0.2, 0.3]
     assert better_range(summarise({"a": base, "random": base}, budgets=[0, 0.1, 0.2, 0.3, 0.4]), "a") is None
+
+
+def signed_rank_by_pratt(difference):
+    """Two-sided p of Wilcoxon's test as Pratt (1959) does it: zeros are ranked with the others, then left out."""
+    size = [abs(d) for d in difference]
+    ranks = [sum(s < own for s in size) + (sum(s == own for s in size) + 1) / 2 for own in size]
+    kept = [(rank, d) for rank, d in zip(ranks, difference, strict=True) if d != 0]
+    positive = sum(rank for rank, d in kept if d > 0)
+    mean, variance = sum(rank for rank, _ in kept) / 2, sum(rank**2 for rank, _ in kept) / 4
+    return math.erfc(abs(positive - mean) / math.sqrt(2 * variance))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_fires_that_do_not_differ_are_ranked_by_pratts_method(seed):
+    """Breaks that a fire never meets change nothing: such runs count, and dropping them would tell too much."""
+    rng = np.random.default_rng(seed)
+    burnt = rng.integers(0, 30, 60) / 30.0
+    other = burnt + np.where(rng.random(60) < 0.5, 0.0, rng.integers(-6, 9, 60) / 30.0)
+    difference = np.round(burnt - other, 9)
+    assert 10 < np.count_nonzero(difference == 0) < 50
+    p, _ = compare(difference, np.zeros(60))
+    assert p == pytest.approx(signed_rank_by_pratt(difference.tolist()), rel=1e-9)
+    for method in ("wilcox", "zsplit"):
+        assert p != pytest.approx(stats.wilcoxon(difference, zero_method=method, method="approx").pvalue, rel=1e-3)

@@ -13,8 +13,9 @@ from firebreak_gis import plan, simulate, spread_network
 from firebreak_gis.breaks import Budget, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.measures import judge, resamples
+from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.placement.fires import design_fires
-from firebreak_gis.planning.comparison import FRESH, compare_plans, comparison_table
+from firebreak_gis.planning.comparison import compare_plans, comparison_table
 from firebreak_gis.planning.design import Designs, design
 from firebreak_gis.ranking import rank
 from firebreak_gis.simulation.request import FireRequest
@@ -109,7 +110,7 @@ def test_plans_are_made_for_their_budget_and_leak(network):
             for residual in residuals:
                 priority = design(network, name, stakes=stakes, budget=Budget(budget), residual=residual, seed=2)
                 mask = select_breaks(priority, budget=budget, burnable=network.burnable)
-                burns = simulate(network, breaks=mask, residual=residual, n_runs=30, seed=2 + FRESH)
+                burns = simulate(network, breaks=mask, residual=residual, n_runs=30, seed=seed_for(2, "comparison"))
                 chosen = result.sel(ranking=name, budget=budget, residual=residual)
                 np.testing.assert_array_equal(chosen["burnt"], burns["fire_size"])
     rows = comparison_table(result)
@@ -146,11 +147,13 @@ def test_no_plan_is_judged_on_the_fires_of_its_design(network):
     from firebreak_gis.kernels.draws import run_keys
     from firebreak_gis.simulation.ignitions import resolve_ignitions
 
-    for seed in (0, 1, FRESH):
+    for seed in (0, 1, seed_for(0, "comparison")):
         designed = set(design_fires(network, Stakes(network), n_runs=300, seed=seed).keys.tolist())
-        for judged in (seed, seed + FRESH):
+        for judged in (seed, seed_for(seed, "comparison"), seed_for(seed, "check")):
             assert not designed & set(run_keys(judged, "edges", 300).tolist())
-    starts = [resolve_ignitions(network, n_runs=50, seed=seed).cells.tolist() for seed in (0, FRESH)]
+    starts = [
+        resolve_ignitions(network, n_runs=50, seed=seed).cells.tolist() for seed in (0, seed_for(0, "comparison"))
+    ]
     assert starts[0] != starts[1]
 
 

@@ -45,6 +45,19 @@ def test_keys_differ_by_seed_purpose_and_run():
     assert (draws.run_keys(3, "edges", 10) == draws.run_keys(3, "edges", 90)[:10]).all()
 
 
+def test_seeds_for_a_purpose():
+    """Published: other values would change every plan and comparison."""
+    assert draws.PURPOSES[-3:] == ("design", "check", "comparison")
+    known = [draws.seed_for(0, purpose) for purpose in ("design", "check", "comparison")]
+    assert known == [5949034261645103510, 7570335421732594259, 1185441883537222340]
+    derived = [draws.seed_for(s, p) for s in range(30) for p in ("design", "check", "comparison")]
+    assert len(set(derived)) == len(derived)
+    assert all(30 < seed < 2**63 for seed in derived)
+    keys = [int(k) for s in derived for k in draws.run_keys(s, "edges", 20)]
+    keys += [int(k) for s in range(30) for k in draws.run_keys(s, "edges", 20)]
+    assert len(set(keys)) == len(keys)
+
+
 def test_edges_open_as_in_the_twin():
     rng = np.random.default_rng(0)
     probability = rng.random((8, 5, 7)).astype(np.float32)

@@ -67,6 +67,26 @@ def test_matching_layers_are_copied(tmp_path):
     json.dumps(data.attrs)
 
 
+@pytest.mark.parametrize(("off", "lost"), [(0.0, 0), (0.0005, 0), (-0.0005, 0), (0.005, 1), (-0.005, 1)])
+def test_edges_within_a_thousandth_of_a_cell_are_the_same(tmp_path, off, lost):
+    """Corners that were rounded in a file lose no row or column; those farther off do."""
+    dem, vegetation, _ = three(tmp_path)
+    corner = (NORTH_WEST[0] + 20.0 * off, NORTH_WEST[1] - 20.0 * off)
+    vegetation = write(tmp_path / "moved.tif", patches(24, 31, [0, 1, 2, 3]), transform=square(20.0, corner))
+    assert Grid.of(lay(dem, vegetation)).shape == (24 - lost, 31 - lost)
+
+
+@pytest.mark.parametrize("off", [0.0005, -0.0005])
+def test_bounds_within_a_thousandth_of_a_cell_are_on_its_edge(tmp_path, off):
+    dem, vegetation, _ = three(tmp_path)
+    left, top = NORTH_WEST
+    bounds = (left + 20.0 * (4 + off), top - 20.0 * (15 + off), left + 20.0 * (13 + off), top - 20.0 * (2 + off))
+    grid = Grid.of(lay(dem, vegetation, bounds=bounds))
+    assert grid.matches(Grid((13, 9), square(20.0, (left + 80.0, top - 40.0)), parse_crs(UTM)))
+    wide = (bounds[0] - 0.2, bounds[1] - 0.2, bounds[2] + 0.2, bounds[3] + 0.2)  # a hundredth is not
+    assert Grid.of(lay(dem, vegetation, bounds=wide)).shape == (15, 11)
+
+
 def test_inputs_are_not_changed(tmp_path):
     paths = three(tmp_path)
     before = [path.read_bytes() for path in paths]

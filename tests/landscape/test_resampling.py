@@ -136,6 +136,37 @@ def test_a_shift_of_half_a_cell_takes_the_same_side_everywhere():
     np.testing.assert_array_equal(nearest(codes, placed("same_crs"), grid, -1), codes[1:, 1:])
 
 
+def shifted(cells, cell=0.7, corner=(586_440 + 1 / 3, 3_999_900 - 1 / 7)):
+    """A source and a grid of such cells, whose corner lies so many cells of it to the east and south."""
+    source = Placed(square(cell, corner), parse_crs(UTM), 0, 0, SHAPE)
+    start = (corner[0] + cells * cell, corner[1] - cells * cell)
+    return source, Grid((SHAPE[0] - 1, SHAPE[1] - 1), square(cell, start), parse_crs(UTM))
+
+
+@pytest.mark.parametrize("off", [0.0, -1e-7, 1e-7])
+def test_centres_on_edges_take_the_same_side_whatever_the_rounding(off):
+    """Positions on an edge come out as whole numbers or a little less; they belong to the east or south."""
+    source, grid = shifted(0.5 + off)
+    if off == 0.0:
+        (_, columns, _), *_ = resampling._source_cells(source, grid)
+        assert (columns < np.round(columns)).any(), "no noise, so that nothing is tested"
+    codes = np.arange(SHAPE[0] * SHAPE[1], dtype=np.int32).reshape(SHAPE)
+    np.testing.assert_array_equal(nearest(codes, source, grid, -1), codes[1:, 1:])
+    # The other way round: centres of the source on edges of the grid.
+    np.testing.assert_array_equal(mode(codes, source, grid, -1), codes[:-1, :-1])
+    heights = codes.astype(np.float32)
+    np.testing.assert_array_equal(average(heights, source, grid), heights[:-1, :-1])
+
+
+def test_centres_off_an_edge_take_their_own_side():
+    """What lies a hundred-thousandth of a cell beside an edge is not on it."""
+    codes = np.arange(SHAPE[0] * SHAPE[1], dtype=np.int32).reshape(SHAPE)
+    source, grid = shifted(0.5 - 1e-5)
+    np.testing.assert_array_equal(nearest(codes, source, grid, -1), codes[:-1, :-1])
+    source, grid = shifted(0.5 + 1e-5)
+    np.testing.assert_array_equal(mode(codes, source, grid, -1), codes[1:, 1:])
+
+
 def test_outside_is_missing():
     far = Grid((4, 5), square(20.0, (NORTH_WEST[0] - 60, NORTH_WEST[1] + 40)), parse_crs(UTM))
     codes = np.full(SHAPE, 7, dtype=np.int32)
