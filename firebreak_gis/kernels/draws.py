@@ -116,15 +116,21 @@ def thresholds(probability: np.ndarray) -> Thresholds:
     return out
 
 
+@inlined
+def digits_of(p: float) -> np.uint64:
+    """Threshold of a probability, 32 binary digits; `CERTAIN` for 1."""
+    digits = np.uint64(CERTAIN)
+    if p < 1.0:
+        digits = np.uint64(min(np.floor(p * 4294967296.0 + 0.5), 4294967294.0))
+    return digits
+
+
 @kernel
 def _fill_thresholds(probability: np.ndarray, top: np.ndarray, rest: np.ndarray) -> None:
     for d in range(8):
         shift = np.uint64(8 * d)
         for cell in range(top.shape[0]):
-            p = np.float64(probability[d, cell])
-            digits = np.uint64(CERTAIN)
-            if p < 1.0:
-                digits = np.uint64(min(np.floor(p * 4294967296.0 + 0.5), 4294967294.0))
+            digits = digits_of(np.float64(probability[d, cell]))
             top[cell] |= (digits >> np.uint64(24)) << shift
             rest[cell, 0] |= ((digits >> np.uint64(16)) & np.uint64(255)) << shift
             rest[cell, 1] |= ((digits >> np.uint64(8)) & np.uint64(255)) << shift
@@ -148,18 +154,55 @@ def bytes_equal(x: np.uint64, limit: np.uint64) -> np.uint64:
 @inlined
 def open_edges(key: np.uint64, cell: np.uint64, top: np.uint64, rest: np.ndarray) -> np.uint64:
     """Edges of `cell` that are open in the run of `key`: the high bit of byte d for direction d."""
-    position = cell * np.uint64(4)
-    digits = word(key, position)
+    digits = word(key, cell * np.uint64(4))
     opened = bytes_below(digits, top)
     undecided = bytes_equal(digits, top)
     if undecided != np.uint64(0):
-        certain = undecided & bytes_equal(top, ~np.uint64(0))
-        for j in range(3):
-            digits = word(key, position + np.uint64(j + 1))
-            limit = rest[cell, j]
-            opened |= undecided & bytes_below(digits, limit)
-            undecided &= bytes_equal(digits, limit)
-            certain &= bytes_equal(limit, ~np.uint64(0))
-        # All 32 digits of the draw equal the threshold, or it is certain whatever the draw.
-        opened |= certain
+        opened |= later_digits(key, cell, top, rest, undecided)
     return opened
+
+
+@kernel
+def later_digits(key: np.uint64, cell: np.uint64, top: np.uint64, rest: np.ndarray, undecided: np.uint64) -> np.uint64:
+    """Edges that open of those whose first digits are the threshold's own; called for one cell in thirty."""
+    opened = np.uint64(0)
+    certain = undecided & bytes_equal(top, ~np.uint64(0))
+    for j in range(3):
+        digits = word(key, cell * np.uint64(4) + np.uint64(j + 1))
+        limit = rest[cell, j]
+        opened |= undecided & bytes_below(digits, limit)
+        undecided &= bytes_equal(digits, limit)
+        certain &= bytes_equal(limit, ~np.uint64(0))
+    # All 32 digits of the draw equal the threshold, or it is certain whatever the draw.
+    return opened | certain
+
+
+@inlined
+def below(digits: np.uint64, threshold: np.uint64) -> bool:
+    """Whether a draw of 32 digits comes true at a threshold of `digits_of`."""
+    return digits < threshold or threshold == np.uint64(CERTAIN)
+
+
+@inlined
+def edge_draw(key: np.uint64, cell: np.uint64, direction: np.uint64) -> np.uint64:
+    """The 32 digits of the draw of one edge: those that `open_edges` compares, eight edges at a time."""
+    digits = np.uint64(0)
+    for j in range(4):
+        byte = (word(key, cell * np.uint64(4) + np.uint64(j)) >> (np.uint64(8) * direction)) & np.uint64(255)
+        digits = (digits << np.uint64(8)) | byte
+    return digits
+
+
+@inlined
+def uniform(key: np.uint64, position: np.uint64) -> float:
+    """Number in [0, 1) with 53 digits at `position` of the stream of `key`."""
+    return np.float64(word(key, position) >> np.uint64(11)) * 2.0**-53
+
+
+@inlined
+def normal(key: np.uint64, position: np.uint64) -> float:
+    """Standard normal number from one word of the stream of `key` (Box and Muller 1958, doi 10.1214/aoms/1177706645)."""
+    digits = word(key, position)
+    radius = (np.float64(digits >> np.uint64(32)) + 1.0) * 2.0**-32
+    turn = np.float64(digits & np.uint64(0xFFFFFFFF)) * 2.0**-32
+    return np.sqrt(-2.0 * np.log(radius)) * np.cos(2.0 * np.pi * turn)

@@ -1,0 +1,137 @@
+"""What is kept of fires with a clock: everything is added up a cell or a run, nothing a cell and run.
+
+What is not asked for is an empty array.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from firebreak_gis.kernels.policy import kernel
+
+_ZERO = np.uint64(0)
+_ONE = np.uint64(1)
+_NOT = np.uint32(0xFFFFFFFF)
+
+
+class Tally(NamedTuple):
+    """Sums over the runs.
+
+    Parameters
+    ----------
+    counts
+        (n_cells,) uint32 runs in which the cell burns.
+    sizes
+        (n_runs,) int64 cells burnt.
+    value
+        (n_cells,) float64 lost when the cell burns.
+    lost
+        (n_runs,) float64 sum of it over the burnt cells, in the order in which they burn.
+    edges
+        (n_bins,) uint64, rising [s].
+    by_time
+        (n_cells, n_bins) uint32 runs in which fire arrives after the edge before and not after this one.
+    growth
+        (n_runs, n_bins) int64 cells burnt by each edge.
+    classes
+        (n_classes,) int64, rising: largest fire of each class but the last [cells].
+    by_size
+        (n_cells, n_classes) uint32 runs in which the cell burns in a fire of the class.
+    hanging
+        (n_cells,) uint32, zero between runs: for `onwards`.
+    onwards
+        (n_cells,) uint64 sum over the runs of the cells that the fire reached by way of this one.
+    heat
+        (n_cells,) float32 [kJ/m2].
+    lengths
+        (8,) float64 [m] along the map.
+    intensities
+        (n_limits,) float64 [kW/m].
+    above
+        (n_cells, n_limits) uint32 runs in which the fire that comes to the cell is stronger than the limit.
+    arrivals
+        (n_runs, n_cells) uint32 arrival [s], 0xFFFFFFFF where the run does not burn.
+    """
+
+    counts: np.ndarray
+    sizes: np.ndarray
+    value: np.ndarray
+    lost: np.ndarray
+    edges: np.ndarray
+    by_time: np.ndarray
+    growth: np.ndarray
+    classes: np.ndarray
+    by_size: np.ndarray
+    hanging: np.ndarray
+    onwards: np.ndarray
+    heat: np.ndarray
+    lengths: np.ndarray
+    intensities: np.ndarray
+    above: np.ndarray
+    arrivals: np.ndarray
+
+
+@kernel
+def add_run(
+    tally: Tally, run: int, order: np.ndarray, size: np.uint64, arrival: np.ndarray, parent: np.ndarray
+) -> None:
+    """Add one run.
+
+    Parameters
+    ----------
+    order, size
+        The first `size` entries are the burnt cells, each after the one that lit it.
+    arrival
+        (n_cells,) uint64 [s], of the burnt cells.
+    parent
+        (n_cells,) uint32 cell that lit each burnt cell; itself if an ignition.
+    """
+    tally.sizes[run] = size
+    for i in range(size):
+        tally.counts[order[i]] += np.uint32(1)
+    if tally.value.size > 0:
+        total = 0.0
+        for i in range(size):
+            total += tally.value[order[i]]
+        tally.lost[run] = total
+    if tally.by_time.size > 0 or tally.growth.size > 0:
+        _by_time(tally, run, order, size, arrival)
+    if tally.by_size.size > 0:
+        k = np.searchsorted(tally.classes, np.int64(size))
+        for i in range(size):
+            tally.by_size[order[i], k] += np.uint32(1)
+    if tally.onwards.size > 0:
+        for i in range(size):
+            cell = order[size - _ONE - np.uint64(i)]
+            hanging = tally.hanging[cell]
+            tally.hanging[cell] = np.uint32(0)
+            tally.onwards[cell] += np.uint64(hanging)
+            if parent[cell] != cell:
+                tally.hanging[parent[cell]] += hanging + np.uint32(1)
+    if tally.arrivals.size > 0:
+        for i in range(size):
+            tally.arrivals[run, order[i]] = np.uint32(min(arrival[order[i]], np.uint64(_NOT - np.uint32(1))))
+
+
+@kernel
+def _by_time(tally: Tally, run: int, order: np.ndarray, size: np.uint64, arrival: np.ndarray) -> None:
+    edges = tally.edges
+    k = 0
+    for i in range(size):
+        cell = order[i]
+        t = arrival[cell]
+        # Cells come nearly in the order of time.
+        while k < edges.size and edges[k] < t:
+            k += 1
+        while k > 0 and edges[k - 1] >= t:
+            k -= 1
+        if k < edges.size:
+            if tally.by_time.size > 0:
+                tally.by_time[cell, k] += np.uint32(1)
+            if tally.growth.size > 0:
+                tally.growth[run, k] += 1
+    if tally.growth.size > 0:
+        for k in range(1, edges.size):
+            tally.growth[run, k] += tally.growth[run, k - 1]
