@@ -138,6 +138,7 @@ def burn_timed(
     space: Workspace,
     runs: np.ndarray,
     tally: Tally,
+    strongest: np.ndarray,
 ) -> None:
     """Burn runs one after another.
 
@@ -157,11 +158,13 @@ def burn_timed(
         int64 numbers of the runs to make.
     tally
         What is asked is added to it.
+    strongest
+        (n_cells,) float32 intensity of a fire that starts in a cell [kW/m]; empty if flame lengths are not asked.
     """
     for k in range(runs.size):
         run = runs[k]
         size = _burn(thresholds, keys[run], steps, clock, starts, walls, embers, space, run)
-        add_run(tally, run, space.order, size, space.arrival, space.parent)
+        add_run(tally, run, space.order, size, space.arrival, space.parent, steps, strongest)
         for i in range(size):
             space.arrival[space.order[i]] = UNSEEN
 

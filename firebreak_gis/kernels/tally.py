@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from firebreak_gis.kernels.percolation import Steps
 from firebreak_gis.kernels.policy import kernel
 
 _ZERO = np.uint64(0)
@@ -75,7 +76,14 @@ class Tally(NamedTuple):
 
 @kernel
 def add_run(
-    tally: Tally, run: int, order: np.ndarray, size: np.uint64, arrival: np.ndarray, parent: np.ndarray
+    tally: Tally,
+    run: int,
+    order: np.ndarray,
+    size: np.uint64,
+    arrival: np.ndarray,
+    parent: np.ndarray,
+    steps: Steps,
+    strongest: np.ndarray,
 ) -> None:
     """Add one run.
 
@@ -87,6 +95,10 @@ def add_run(
         (n_cells,) uint64 [s], of the burnt cells.
     parent
         (n_cells,) uint32 cell that lit each burnt cell; itself if an ignition.
+    steps
+        Of the grid.
+    strongest
+        (n_cells,) float32 intensity of a fire that starts in the cell [kW/m].
     """
     tally.sizes[run] = size
     for i in range(size):
@@ -110,6 +122,8 @@ def add_run(
             tally.onwards[cell] += np.uint64(hanging)
             if parent[cell] != cell:
                 tally.hanging[parent[cell]] += hanging + np.uint32(1)
+    if tally.above.size > 0:
+        _by_intensity(tally, order, size, arrival, parent, steps, strongest)
     if tally.arrivals.size > 0:
         for i in range(size):
             tally.arrivals[run, order[i]] = np.uint32(min(arrival[order[i]], np.uint64(_NOT - np.uint32(1))))
@@ -135,3 +149,32 @@ def _by_time(tally: Tally, run: int, order: np.ndarray, size: np.uint64, arrival
     if tally.growth.size > 0:
         for k in range(1, edges.size):
             tally.growth[run, k] += tally.growth[run, k - 1]
+
+
+@kernel
+def _by_intensity(
+    tally: Tally,
+    order: np.ndarray,
+    size: np.uint64,
+    arrival: np.ndarray,
+    parent: np.ndarray,
+    steps: Steps,
+    strongest: np.ndarray,
+) -> None:
+    """Count how strong the fire is that comes to each cell: heat of the cell times the rate at which fire came.
+
+    Where no neighbour lit the cell, the strongest fire that the cell can have is taken.
+    """
+    for i in range(size):
+        cell = np.uint64(order[i])
+        source = np.uint64(parent[cell])
+        intensity = np.float64(strongest[cell])
+        position = np.uint8(0)
+        if steps.position.size > 0:
+            position = steps.position[source]
+        for d in range(8):
+            if source != cell and source + steps.offsets[position, d] == cell:
+                intensity = tally.heat[cell] * tally.lengths[d] / np.float64(arrival[cell] - arrival[source])
+        for k in range(tally.intensities.size):
+            if intensity > tally.intensities[k]:
+                tally.above[cell, k] += np.uint32(1)
