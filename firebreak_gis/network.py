@@ -145,6 +145,14 @@ class SpreadNetwork:
             )
         return self.travel_time
 
+    def require_heat(self, what: str) -> np.ndarray:
+        """Return `heat`, (rows, cols) float32, or refuse `what` needs it as `require_times` does."""
+        if self.heat is None:
+            raise InputError(
+                f"{what} needs the heat that each cell releases; the spread model must tell it, or heat=..."
+            )
+        return self.heat
+
     @cached_property
     def n_burnable(self) -> int:
         """Cells that hold fuel, N_v."""
@@ -232,12 +240,7 @@ class SpreadNetwork:
             If the network has no times or no heat.
         """
         out = self.rate()
-        if self.heat is None:
-            raise InputError(
-                "fire-line intensity needs the heat that each cell releases, and the network has none; make it with a "
-                "spread model that knows it, or give heat=..."
-            )
-        out *= self.heat * np.float32(1 / 3600)
+        out *= self.require_heat("fire-line intensity") * np.float32(1 / 3600)
         return out
 
     def flame_length(self) -> np.ndarray:

@@ -31,6 +31,8 @@ ENDLESS = 1 << 62
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
 _EIGHT = np.uint64(8)
+#: Above the error of the sums of shares, far below a second.
+_ROUNDING = 1e-6
 _NEVER = np.uint32(0xFFFFFFFF)
 
 
@@ -109,14 +111,14 @@ def _across(
     """When fire that sets out at t, in the weather of `step`, is across; `UNSEEN` if never.
 
     The share of the way that is left falls at the rate of each step in turn. Every rounding keeps order, so who leaves
-    later never arrives earlier.
+    later never arrives earlier; steps of equal weather are as one.
     """
     result = UNSEEN
     left = 1.0
     for s in range(step, ends.size + 1):
         whole = seconds[np.uint64(s) * stride + edge]
         if whole != _NEVER:
-            need = np.ceil(left * np.float64(whole))
+            need = np.ceil(left * np.float64(whole) - _ROUNDING)
             if s == ends.size or need <= np.float64(ends[s] - t):
                 result = t + np.uint64(need)
                 break
@@ -183,8 +185,8 @@ def _burn(
 ) -> np.uint64:
     """Burn one run; return the number of burnt cells, which stand in `space.order`.
 
-    All is in one function and by plain names: numba counts holders of an array at each call and each look-up in a tuple,
-    which costs more than the rest of the step.
+    All is in one function and by plain names: numba counts the holders of an array at each call and each look-up in a
+    tuple, which costs more than the rest of the step.
     """
     top, offsets, positions = thresholds.top, steps.offsets, steps.position
     arrival, parent, order = space.arrival, space.parent, space.order

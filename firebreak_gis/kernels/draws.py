@@ -201,7 +201,7 @@ def uniform(key: np.uint64, position: np.uint64) -> float:
 
 @inlined
 def normal(key: np.uint64, position: np.uint64) -> float:
-    """Standard normal number from one word of the stream of `key` (Box and Muller 1958, doi 10.1214/aoms/1177706645)."""
+    """Standard normal number from one word of the stream of `key` (Box, Muller 1958, doi 10.1214/aoms/1177706645)."""
     digits = word(key, position)
     radius = (np.float64(digits >> np.uint64(32)) + 1.0) * 2.0**-32
     turn = np.float64(digits & np.uint64(0xFFFFFFFF)) * 2.0**-32

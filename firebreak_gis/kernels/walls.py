@@ -61,12 +61,11 @@ def held_back(
     """
     for d in range(8):
         bit = np.uint64(8 * d + 7)
-        if (opened >> bit) & _ONE:
-            if stands(walls, run, cell + steps.offsets[position, d]):
-                passes = False
-                if walls.residual > np.float32(0):
-                    left = np.float32(walls.probability[d, cell] * walls.residual)
-                    passes = below(edge_draw(key, cell, np.uint64(d)), digits_of(np.float64(left)))
-                if not passes:
-                    opened &= ~(_ONE << bit)
+        if (opened >> bit) & _ONE and stands(walls, run, cell + steps.offsets[position, d]):
+            passes = False
+            if walls.residual > np.float32(0):
+                left = np.float32(walls.probability[d, cell] * walls.residual)
+                passes = below(edge_draw(key, cell, np.uint64(d)), digits_of(np.float64(left)))
+            if not passes:
+                opened &= ~(_ONE << bit)
     return opened

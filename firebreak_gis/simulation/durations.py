@@ -41,7 +41,7 @@ class Duration:
     >>> as_duration("8h")
     Duration(kind='fixed', values=(28800.0,))
     >>> as_duration("lognormal:8h,0.7").of_runs(seed=1, n_runs=3).tolist()
-    [50171, 20178, 52195]
+    [78531, 73263, 25279]
     """
 
     kind: Literal["fixed", "turns", "lognormal", "uniform", "weather"]

@@ -6,30 +6,31 @@ open edges with and without breaks, and neither the number of threads nor the or
 
 from __future__ import annotations
 
-import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from firebreak_gis.breaks import Budget, removal_order
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.network import checked_residual
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.schema import annotate
+from firebreak_gis.simulation.durations import ENDLESS, as_duration
+from firebreak_gis.simulation.embers import as_embers
+from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.ignitions import IgnitionMode, Ignitions, resolve_ignitions
+from firebreak_gis.simulation.products import Products, product_maps
 from firebreak_gis.simulation.request import FireRequest
-from firebreak_gis.threads import run_pieces, thread_count
+from firebreak_gis.simulation.timed import burn_timed
+from firebreak_gis.simulation.timeless import burn_all, burn_levels
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from firebreak_gis.kernels.lanes import Lanes
     from firebreak_gis.network import SpreadNetwork
-
-#: Runs made one by one before it is decided whether blocks of 64 pay.
-_PILOT = 4
-#: Runs that a thread makes one by one before it looks for the next piece.
-_PIECE = 8
+    from firebreak_gis.simulation.weather import WeatherNetworks
 
 
 def simulate(
@@ -43,6 +44,13 @@ def simulate(
     n_runs: int = 100,
     first_run: int = 0,
     seed: int = 0,
+    duration: Any = None,
+    weather: WeatherNetworks | None = None,
+    embers: Any = None,
+    hold: Any = None,
+    barriers: np.ndarray | xr.DataArray | None = None,
+    barriers_hold: float = 1.0,
+    products: Products | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
@@ -67,6 +75,22 @@ def simulate(
         Number of the first run: runs 0 to 99 and runs 100 to 199 are together the first 200.
     seed
         Seed of the draws; the same seed gives the same fires with and without breaks.
+    duration
+        How long each fire burns: seconds, or a text such as "8h", a list of them that the runs take in turn,
+        "lognormal:8h,0.7", "uniform:2h,12h", or "weather". Default: until it ends by itself. Needs travel times.
+    weather
+        Networks of an ensemble of weathers, from `spread.weather_networks`, of which each run draws one; `network` is
+        then any of them.
+    embers
+        True, or `embers.Embers`: embers that fly ahead of the fire. Needs travel times, heat and a wind.
+    hold
+        How often a stretch of break holds in a run: a share, "flame", or `holding.Hold`. Default: always.
+    barriers
+        (y, x), above 0 on roads, rivers and the like which the network holds as fuel, and which may fail.
+    barriers_hold
+        How often a stretch of them holds in a run.
+    products
+        What else is kept of the runs.
     threads
         Threads to use; changes the speed only.
     progress
@@ -75,21 +99,48 @@ def simulate(
     Returns
     -------
     xarray.Dataset
-        `burn_count` (y, x) uint32, `burn_frequency` (y, x) float32 (NaN where there is no fuel) and
-        `fire_size` (run) int64 [cells].
+        `burn_count` (y, x) uint32, `burn_frequency` (y, x) float32 (NaN where there is no fuel),
+        `fire_size` (run) int64 [cells], and what `products` asks. With a clock also `duration` (run) [s], with a
+        weather `weather` (run), its number.
 
     Raises
     ------
     ParameterError, InputError, GridError
-        If a parameter is out of range, an ignition cannot burn, or `breaks` lies on another grid.
+        If a parameter is out of range, an ignition cannot burn, `breaks` lies on another grid, or the network lacks
+        times, heat or a wind that are needed.
 
     Notes
     -----
+    With the same seed a run has the same open edges, ignitions, duration, weather, embers and failing stretches,
+    whatever is cut, so that cutting more never lets any cell burn earlier. (With embers in weather that changes with
+    time it can: a fire that was held up may throw its embers in a stronger wind.)
+
     Memory: 32 B a cell for the draw thresholds and up to 100 B a cell and thread, whatever the number of
-    runs.
+    runs; with a clock 32 B a cell more for each step of the weather.
     """
-    request = FireRequest(ignitions, ignition_mode, n_runs, seed, residual)
-    return burn(network, request, breaks=breaks, value=value, first_run=first_run, threads=threads, progress=progress)
+    request = FireRequest(
+        ignitions,
+        ignition_mode,
+        n_runs,
+        seed,
+        residual,
+        duration=None if duration is None else as_duration(duration),
+        hold=as_hold(hold),
+        barriers_hold=barriers_hold,
+        embers=as_embers(embers),
+    )
+    return burn(
+        network,
+        request,
+        breaks=breaks,
+        value=value,
+        weather=weather,
+        barriers=barriers,
+        products=products,
+        first_run=first_run,
+        threads=threads,
+        progress=progress,
+    )
 
 
 def burn(
@@ -98,45 +149,66 @@ def burn(
     *,
     breaks: np.ndarray | xr.DataArray | None = None,
     value: np.ndarray | xr.DataArray | None = None,
+    weather: WeatherNetworks | None = None,
+    barriers: np.ndarray | xr.DataArray | None = None,
+    products: Products | None = None,
     first_run: int = 0,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
     """Burn the network as a request says; all else as in `simulate`."""
-    from firebreak_gis.kernels.lanes import burn_block
-    from firebreak_gis.kernels.percolation import burn_runs
-
-    n_runs, seed, residual = request.n_runs, request.seed, request.residual
+    checked_residual(request.residual)
     start = resolved(network, request, first_run=first_run)
-    cells = start.cells
-    burnt_network = network
-    if breaks is not None:
-        burnt_network = network.treated(breaks, residual=residual)
-        if residual == 0.0:
-            cells = np.where(network.mask(breaks, "breaks").ravel()[cells], -1, cells)
-    fires = _Fires(burnt_network, start.starts, cells, n_runs=n_runs, first_run=first_run, seed=seed)
-    counts = np.zeros(network.burnable.size, np.uint32)
-    sizes = np.zeros(n_runs, np.int64)
-    worth = np.zeros(0) if value is None else network.plane(value, "value").astype(np.float64).ravel()
-    lost = np.zeros(n_runs)
-    adding = threading.Lock()
+    worth = None if value is None else network.plane(value, "value").astype(np.float64).ravel()
+    plain = request.timeless and weather is None and barriers is None
+    asked = products or Products()
+    if plain:
+        span = progress if products is None else part(progress, 0.0, 0.5)
+        counts, sizes, lost = burn_all(network, request, start, breaks, worth, threads, span)
+        burns = burn_maps(network, counts, sizes, seed=request.seed, lost=None if worth is None else lost)
+        progress = part(progress, 0.5, 1.0)
+    limits, spells = _limits(network, request, weather, first_run)
+    if plain and products is None:
+        return burns if request.duration is None else burns.assign(duration=_ends(limits))
+    tally = burn_timed(
+        network,
+        request,
+        start,
+        limits,
+        breaks=breaks,
+        barriers=barriers,
+        value=worth,
+        weather=weather,
+        products=asked,
+        threads=threads,
+        progress=progress,
+    )
+    if not plain:
+        counts = tally.counts.reshape(network.shape)
+        burns = burn_maps(network, counts, tally.sizes, seed=request.seed, lost=None if worth is None else tally.lost)
+    burns = burns.assign(product_maps(network, asked, tally))
+    if request.duration is not None:
+        burns["duration"] = _ends(limits)
+    if spells is not None:
+        burns["weather"] = _of_runs("weather", spells)
+    return burns
 
-    def one_by_one(first: int, last: int) -> None:
-        own = np.zeros_like(counts)
-        burn_runs(*fires.given, first, last, own, sizes, worth, lost)
-        with adding:
-            np.add(counts, own, out=counts)
 
-    def together(first: int, last: int) -> None:
-        own = np.zeros_like(counts)
-        burn_block(*fires.given, first, last, fires.lanes(), own, sizes)
-        with adding:
-            np.add(counts, own, out=counts)
-
-    # Values are added up run by run, so that their sum has one order.
-    block = together if value is None else None
-    fires.run(one_by_one, block, lambda: (counts, sizes[:_PILOT]), threads=threads, progress=progress)
-    return burn_maps(network, counts.reshape(network.shape), sizes, seed=seed, lost=None if value is None else lost)
+def _limits(
+    network: SpreadNetwork, request: FireRequest, weather: WeatherNetworks | None, first_run: int
+) -> tuple[np.ndarray, np.ndarray | None]:
+    """How long each run burns [s], (n_runs,) int64, and its weather if there is any."""
+    runs = {"seed": request.seed, "n_runs": request.n_runs, "first_run": first_run}
+    spells = None if weather is None else weather.weather.of_runs(**runs)
+    if request.duration is None:
+        return np.full(request.n_runs, ENDLESS), spells
+    if not request.duration.endless:
+        network.require_times("a duration")
+    if request.duration.kind == "weather":
+        if weather is None:
+            raise ParameterError("the duration is to be as the weather tells, but no weather is given")
+        return np.maximum(np.rint(weather.weather.durations(**runs)), 1).astype(np.int64), spells
+    return request.duration.of_runs(**runs), spells
 
 
 def resolved(network: SpreadNetwork, request: FireRequest, *, first_run: int = 0) -> Ignitions:
@@ -193,28 +265,40 @@ def burn_budgets(
     request: FireRequest,
     *,
     budgets: Sequence[float] | np.ndarray,
+    weather: WeatherNetworks | None = None,
+    barriers: np.ndarray | xr.DataArray | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.DataArray:
-    """Burn the network at every budget as a request says, its breaks perfect; all else as in `burn_curve`."""
+    """Burn the network at every budget as a request says; all else as in `burn_curve`.
+
+    Without a clock, embers or failing breaks the breaks are perfect, and all budgets take one pass a run. With them
+    every budget is burnt by itself, by the same draws.
+    """
+    start, n_runs = resolved(network, request), request.n_runs
+    levels = cut_levels(network, priority, budgets)
+    burnt = np.zeros((n_runs, len(budgets)), np.int64)
+    if request.timeless and weather is None and barriers is None:
+        burn_levels(network, start, levels.ravel(), burnt, request, threads, progress)
+    else:
+        same = replace(request, ignitions=start)
+        for k in range(len(budgets)):
+            burns = burn(
+                network,
+                same,
+                breaks=levels < k,
+                weather=weather,
+                barriers=barriers,
+                threads=threads,
+                progress=part(progress, k / len(budgets), (k + 1) / len(budgets)),
+            )
+            burnt[:, k] = burns["fire_size"]
+    return _curve(network, burnt, budgets, request.seed)
+
+
+def _curve(network: SpreadNetwork, burnt: np.ndarray, budgets: Sequence[float] | np.ndarray, seed: int) -> xr.DataArray:
     import xarray as xr
 
-    from firebreak_gis.kernels.lanes import curve_block
-    from firebreak_gis.kernels.percolation import burn_curve as curve_runs
-
-    start, n_runs, seed = resolved(network, request), request.n_runs, request.seed
-    levels = cut_levels(network, priority, budgets).ravel()
-    fires = _Fires(network, start.starts, start.cells, n_runs=n_runs, seed=seed)
-    burnt = np.zeros((n_runs, len(budgets)), np.int64)
-
-    def one_by_one(first: int, last: int) -> None:
-        curve_runs(*fires.given, first, last, levels, burnt)
-
-    def together(first: int, last: int) -> None:
-        curve_block(*fires.given, first, last, levels, fires.lanes(curve=True), burnt)
-
-    fuel = network.burnable.ravel()
-    fires.run(one_by_one, together, lambda: (fuel, burnt[:_PILOT, 0]), threads=threads, progress=progress, curve=True)
     return xr.DataArray(
         burnt,
         dims=("run", "budget"),
@@ -248,74 +332,6 @@ def cut_levels(
     return levels.astype(np.int32)
 
 
-class _Fires:
-    """What all kernels are given, and how runs are shared out among threads.
-
-    Whether runs are made one by one or 64 at once changes the speed only: both read the same draws.
-    """
-
-    def __init__(
-        self,
-        network: SpreadNetwork,
-        starts: np.ndarray,
-        cells: np.ndarray,
-        *,
-        n_runs: int,
-        seed: int,
-        first_run: int = 0,
-    ) -> None:
-        from firebreak_gis.kernels.draws import run_keys, thresholds
-        from firebreak_gis.kernels.percolation import steps
-
-        self.shape = network.shape
-        self.n_runs = n_runs
-        grid_steps = steps(network.shape, periodic=network.boundary == "periodic")
-        keys = run_keys(seed, "edges", n_runs, first_run)
-        self.given = (thresholds(network.probability), keys, grid_steps, starts, cells)
-        self._own = threading.local()
-
-    def lanes(self, *, curve: bool = False) -> Lanes:
-        """Return the calling thread's state of a block, made once."""
-        from firebreak_gis.kernels.lanes import lanes
-
-        if not hasattr(self._own, "state"):
-            self._own.state = lanes(self.shape, curve=curve)
-        state: Lanes = self._own.state
-        return state
-
-    def run(
-        self,
-        one_by_one: Callable[[int, int], None],
-        together: Callable[[int, int], None] | None,
-        pilot: Callable[[], tuple[np.ndarray, np.ndarray]],
-        *,
-        threads: int | None,
-        progress: Progress | None,
-        curve: bool = False,
-    ) -> None:
-        """Make all runs; `pilot` tells, after the first ones, in which cells and how much has burnt."""
-        from firebreak_gis.kernels.lanes import LANES, block_pays
-
-        n_threads = thread_count(threads)
-        done = min(_PILOT, self.n_runs)
-        report = part(progress, 0.0, done / self.n_runs)
-        _share_out(one_by_one, 0, done, -(-done // n_threads), threads, report)
-        share = -(-(self.n_runs - done) // n_threads)
-        work, size = one_by_one, min(_PIECE, share)
-        if together is not None and share > _PILOT and block_pays(*pilot(), min(LANES, share), curve=curve):
-            work, size = together, min(LANES, share)
-        report = part(progress, done / self.n_runs, 1.0)
-        _share_out(work, done, self.n_runs, size, threads, report)
-
-
-def _share_out(
-    work: Callable[[int, int], None], first: int, last: int, size: int, threads: int | None, progress: Progress
-) -> None:
-    """Make the runs from `first` to before `last`, `size` a piece."""
-    pieces = [(run, min(run + size, last)) for run in range(first, last, max(size, 1))]
-    run_pieces(lambda piece: work(*piece), pieces, threads=threads, progress=progress, message="burning")
-
-
 def burn_maps(
     network: SpreadNetwork, counts: np.ndarray, sizes: np.ndarray, *, seed: int, lost: np.ndarray | None = None
 ) -> xr.Dataset:
@@ -329,7 +345,18 @@ def burn_maps(
     return xr.Dataset(
         {
             **{name: annotate(network.grid.dataarray(plane, name)) for name, plane in planes.items()},
-            **{name: annotate(xr.DataArray(each, dims="run", name=name)) for name, each in runs.items()},
+            **{name: _of_runs(name, each) for name, each in runs.items()},
         },
         attrs={"n_runs": n_runs, "seed": seed, "n_burnable": network.n_burnable},
     )
+
+
+def _ends(limits: np.ndarray) -> xr.DataArray:
+    """How long each run may burn [s], infinite without an end."""
+    return _of_runs("duration", np.where(limits >= ENDLESS, np.inf, limits.astype(np.float64)))
+
+
+def _of_runs(name: str, values: np.ndarray) -> xr.DataArray:
+    import xarray as xr
+
+    return annotate(xr.DataArray(values, dims="run", name=name))

@@ -31,11 +31,14 @@ class Ignitions:
         Row-major cell numbers; run i ignites ``cells[starts[i]:starts[i + 1]]``.
     first_run
         Number of the first run.
+    at
+        When each of them is lit [s after the start of the run]; None: at once.
     """
 
     starts: np.ndarray
     cells: np.ndarray
     first_run: int = 0
+    at: np.ndarray | None = None
 
 
 def resolve_ignitions(

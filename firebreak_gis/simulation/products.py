@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -59,10 +60,12 @@ class Products:
     def __post_init__(self) -> None:
         for name in ("by", "size_classes", "flame_lengths"):
             values = getattr(self, name)
-            if any(not v > 0 for v in values) or any(b <= a for a, b in zip(values, values[1:], strict=False)):
+            if any(not v > 0 for v in values) or any(b <= a for a, b in pairwise(values)):
                 raise ParameterError(f"{name} is {', '.join(map(str, values))}, expected rising numbers above 0")
         if any(not 0 < q < 1 for q in self.quantiles):
-            raise ParameterError(f"quantiles are {', '.join(map(str, self.quantiles))}, expected shares between 0 and 1")
+            raise ParameterError(
+                f"quantiles are {', '.join(map(str, self.quantiles))}, expected shares between 0 and 1"
+            )
 
     @property
     def needs_parents(self) -> bool:

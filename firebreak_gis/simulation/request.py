@@ -8,8 +8,14 @@ on, so none of them needs to know.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
-from typing import Any, Literal
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Literal
+
+from firebreak_gis.simulation.holding import Hold
+
+if TYPE_CHECKING:
+    from firebreak_gis.simulation.durations import Duration
+    from firebreak_gis.simulation.embers import Embers
 
 #: `each`: the runs take the given points in turn. `all`: every run starts at all of them at once.
 IgnitionMode = Literal["each", "all"]
@@ -31,6 +37,14 @@ class FireRequest:
         Seed of all draws.
     residual
         Share of its spread probability that a treated cell keeps; 0 is a perfect break.
+    duration
+        How long fires burn; None: until they end by themselves.
+    hold
+        How often stretches of a break hold.
+    barriers_hold
+        How often stretches of a barrier hold, where barriers are given that may fail.
+    embers
+        Embers that fly ahead; None for none.
     """
 
     ignitions: Any = None
@@ -38,6 +52,16 @@ class FireRequest:
     n_runs: int = 100
     seed: int = 0
     residual: float = 0.0
+    duration: Duration | None = None
+    hold: Hold = field(default_factory=Hold)
+    barriers_hold: float = 1.0
+    embers: Embers | None = None
+
+    @property
+    def timeless(self) -> bool:
+        """Whether nothing is asked but fires that end by themselves and breaks that do not fail by stretches."""
+        endless = self.duration is None or self.duration.endless
+        return endless and self.hold.perfect and self.embers is None
 
     @property
     def sources(self) -> tuple[str, ...]:

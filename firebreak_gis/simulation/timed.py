@@ -6,23 +6,248 @@ Every draw is keyed by the number of the run, so runs may be made in any order, 
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from firebreak_gis.lattice import NEVER
 from firebreak_gis.progress import Progress, part
-from firebreak_gis.simulation.holding import no_walls
-from firebreak_gis.simulation.embers import nothing_flies
-from firebreak_gis.simulation.products import Products, add_up, new_tally, own_sums, product_maps
+from firebreak_gis.simulation.durations import ENDLESS
+from firebreak_gis.simulation.embers import nothing_flies, what_flies, wind_of
+from firebreak_gis.simulation.holding import build_walls, strongest
+from firebreak_gis.simulation.products import Products, add_up, new_tally, own_sums
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from firebreak_gis.kernels.arrival import Clock, Starts, Workspace
+    from firebreak_gis.kernels.arrival import Clock, Workspace
     from firebreak_gis.kernels.draws import Thresholds
     from firebreak_gis.kernels.tally import Tally
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.simulation.ignitions import Ignitions
+    from firebreak_gis.simulation.request import FireRequest
+    from firebreak_gis.simulation.weather import WeatherNetworks
+
+#: Runs that a thread makes before it looks for the next piece.
+_PIECE = 8
+
+
+class Group(NamedTuple):
+    """Runs under one weather.
+
+    Parameters
+    ----------
+    runs
+        (n,) int64, counted from the first run of the simulation.
+    network
+        The network before cutting.
+    times
+        Travel times (8, rows, cols) in each step of the weather; none if the network has none.
+    starts
+        (n_steps,) uint64, when each step begins [s].
+    winds
+        Wind speed [m/s] and direction [degrees] of each step; none if not told.
+    """
+
+    runs: np.ndarray
+    network: SpreadNetwork
+    times: Sequence[np.ndarray]
+    starts: np.ndarray
+    winds: Sequence[tuple[float, float]]
+
+
+def groups_of(
+    network: SpreadNetwork, weather: WeatherNetworks | None, *, n_runs: int, first_run: int, seed: int
+) -> Iterator[Group]:
+    """Runs by the weather that they have."""
+    if weather is None:
+        times = () if network.travel_time is None else (network.travel_time,)
+        yield Group(np.arange(n_runs), network, times, np.zeros(1, np.uint64), ())
+        return
+    for spell, runs in weather.weather.groups(seed=seed, n_runs=n_runs, first_run=first_run):
+        made = weather[spell]
+        network.grid.require(made.network.grid, "the weather's networks")
+        winds = [(step.wind_speed, step.wind_from_direction) for step in weather.weather.spells[spell].steps]
+        yield Group(runs - first_run, made.network, made.times, made.starts, winds)
+
+
+def burn_timed(
+    network: SpreadNetwork,
+    request: FireRequest,
+    start: Ignitions,
+    limits: np.ndarray,
+    *,
+    breaks: np.ndarray | xr.DataArray | None,
+    barriers: np.ndarray | xr.DataArray | None,
+    value: np.ndarray | None,
+    weather: WeatherNetworks | None,
+    products: Products,
+    threads: int | None,
+    progress: Progress | None,
+) -> Tally:
+    """Burn the runs of a request, and return the sums of what is asked.
+
+    Parameters
+    ----------
+    network
+        The network before cutting; where a weather is given, any of its networks.
+    request
+        The fires.
+    start
+        Ignitions of the runs.
+    limits
+        (n_runs,) int64, how long each burns [s]; `durations.ENDLESS`.
+    breaks, barriers
+        See `holding.build_walls`.
+    value
+        (n_cells,) float64 lost where a cell burns, or None.
+    weather
+        Networks of the weather that the runs draw.
+    products
+        What is asked beside counts and sizes.
+    threads, progress
+        As in `fires.simulate`.
+    """
+    from firebreak_gis.kernels.arrival import Starts
+    from firebreak_gis.kernels.draws import run_keys
+    from firebreak_gis.kernels.percolation import steps
+
+    n_runs, seed, first_run = request.n_runs, request.seed, start.first_run
+    keys = {purpose: run_keys(seed, purpose, n_runs, first_run) for purpose in ("edges", "hold", "embers")}
+    ends = limits[limits < ENDLESS]
+    longest = int(ends.max()) if ends.size == limits.size else ENDLESS
+    at = np.zeros(start.cells.size, np.uint64) if start.at is None else start.at.astype(np.uint64)
+    starts = Starts(start.starts, start.cells, at, limits.astype(np.uint64))
+    grid_steps = steps(network.shape, periodic=network.boundary == "periodic")
+    total = new_tally(network, products, n_runs, longest=longest, value=value)
+    laid = _Laid()
+    spaces = _Spaces()
+    done = 0
+    for group in groups_of(network, weather, n_runs=n_runs, first_run=first_run, seed=seed):
+        intensity = _intensity(group, request, products)
+        walls = build_walls(
+            group.network,
+            keys["hold"],
+            breaks=breaks,
+            residual=request.residual,
+            hold=request.hold,
+            barriers=barriers,
+            barriers_hold=request.barriers_hold,
+            intensity=intensity,
+        )
+        flying = nothing_flies(keys["embers"])
+        if request.embers is not None:
+            group.network.require_times("embers")
+            flying = what_flies(
+                request.embers,
+                group.network,
+                keys["embers"],
+                times=group.times,
+                winds=group.winds or [wind_of(request.embers, group.network)],
+                residual=request.residual,
+            )
+        clock, span = laid.clock(group, longest, embers=request.embers is not None)
+        heat = total.heat if group.network.heat is None else group.network.heat.ravel()
+        tallies = _Tallies(total._replace(heat=heat))
+        given = (laid.thresholds(group), keys["edges"], grid_steps, clock, starts, walls, flying)
+        shown = np.zeros(0, np.float32) if intensity is None else intensity.ravel()
+        piece = partial(_burn_piece, given, spaces, span, tallies, shown)
+        report = part(progress, done / n_runs, (done + group.runs.size) / n_runs)
+        pieces = [group.runs[i : i + _PIECE] for i in range(0, group.runs.size, _PIECE)]
+        run_pieces(piece, pieces, threads=threads, progress=report, message="burning")
+        add_up(total, tallies.made)
+        done += group.runs.size
+    return total
+
+
+def _burn_piece(
+    given: tuple[Any, ...], spaces: _Spaces, span: int, tallies: _Tallies, strongest: np.ndarray, runs: np.ndarray
+) -> None:
+    """Burn a few runs on the calling thread."""
+    from firebreak_gis.kernels.arrival import burn_timed as burn_runs
+
+    tally = tallies.mine()
+    burn_runs(*given, spaces.mine(tally.counts.size, span), runs, tally, strongest)
+
+
+def _intensity(group: Group, request: FireRequest, products: Products) -> np.ndarray | None:
+    """Intensity of the fastest fire of each cell, the mean over the steps, where it is needed."""
+    if request.hold.share is not None and not products.flame_lengths:
+        return None
+    what = "flame lengths" if products.flame_lengths else "hold by flames"
+    group.network.require_times(what)
+    each = [strongest(group.network, what, times) for times in group.times]
+    return np.asarray(sum(each) / np.float32(len(each)), np.float32)
+
+
+class _Laid:
+    """What kernels are given of a network, kept while it stays the same."""
+
+    def __init__(self) -> None:
+        self._probability: np.ndarray | None = None
+        self._thresholds: Thresholds | None = None
+
+    def thresholds(self, group: Group) -> Thresholds:
+        from firebreak_gis.kernels.draws import thresholds
+
+        if self._thresholds is None or self._probability is not group.network.probability:
+            self._probability = group.network.probability
+            self._thresholds = thresholds(group.network.probability)
+        return self._thresholds
+
+    @staticmethod
+    def clock(group: Group, longest: int, *, embers: bool) -> tuple[Clock, int]:
+        """Times as kernels read them, and how many buckets ahead a step leads at most."""
+        from firebreak_gis.kernels.arrival import Clock
+        from firebreak_gis.kernels.embers import SOONEST
+
+        if not group.times:  # all that matters is that fire comes
+            return Clock(np.ones(8, np.uint32), np.zeros(0, np.uint64), np.uint64(0)), 2
+        n_cells = group.network.burnable.size
+        seconds = np.empty((len(group.times), n_cells, 8), np.uint32)
+        least, most = NEVER, 1
+        for laid, times in zip(seconds, group.times, strict=True):
+            laid[:] = times.reshape(8, n_cells).T
+            moves = times[times != NEVER]
+            if moves.size:
+                least, most = min(least, int(moves.min())), max(most, int(moves.max()))
+        if embers:
+            least = min(least, SOONEST)
+        shift = max(least.bit_length() - 1, 0) if least < NEVER else 0
+        clock = Clock(seconds.ravel(), group.starts[1:].astype(np.uint64), np.uint64(shift))
+        return clock, min(most, longest) >> shift
+
+
+class _Spaces:
+    """Workspaces of the threads, used again from weather to weather."""
+
+    def __init__(self) -> None:
+        self._own = threading.local()
+
+    def mine(self, n_cells: int, span: int) -> Workspace:
+        from firebreak_gis.kernels.arrival import workspace
+
+        kept: Workspace | None = getattr(self._own, "space", None)
+        if kept is None or kept.queue.heads.size - 1 <= span:
+            kept = workspace(n_cells, span)
+            self._own.space = kept
+        return kept
+
+
+class _Tallies:
+    """Sums that each thread makes for itself."""
+
+    def __init__(self, total: Tally) -> None:
+        self._total = total
+        self._own = threading.local()
+        self.made: list[Tally] = []
+
+    def mine(self) -> Tally:
+        if not hasattr(self._own, "tally"):
+            self._own.tally = own_sums(self._total)
+            self.made.append(self._own.tally)
+        tally: Tally = self._own.tally
+        return tally

@@ -11,7 +11,7 @@ from firebreak_gis.errors import Cancelled, GridError, InputError, ParameterErro
 from firebreak_gis.grid import Grid
 from firebreak_gis.kernels import draws, lanes
 from firebreak_gis.rasters import write_raster
-from firebreak_gis.simulation import fires
+from firebreak_gis.simulation import timeless
 from firebreak_gis.simulation.ignitions import resolve_ignitions
 from tests.twins import percolation as twin
 
@@ -129,8 +129,8 @@ def test_no_way_of_sharing_out_the_runs_changes_a_count(monkeypatch, boundary):
     made = []
     # Pilot, piece, runs of a block, and whether blocks are taken.
     for pilot, piece, block, pays in ((4, 8, 64, False), (1, 3, 64, False), (4, 8, 64, True), (2, 8, 17, True)):
-        monkeypatch.setattr(fires, "_PILOT", pilot)
-        monkeypatch.setattr(fires, "_PIECE", piece)
+        monkeypatch.setattr(timeless, "_PILOT", pilot)
+        monkeypatch.setattr(timeless, "_PIECE", piece)
         monkeypatch.setattr(lanes, "LANES", block)
         monkeypatch.setattr(lanes, "block_pays", lambda *given, pays=pays, **more: pays)
         for threads in (1, 2, 3):

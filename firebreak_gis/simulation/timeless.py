@@ -1,0 +1,189 @@
+"""Fires that end by themselves: run by run, 64 at once, or whole curves, whichever is fastest.
+
+All give the same numbers.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.progress import Progress, part
+from firebreak_gis.threads import run_pieces, thread_count
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from firebreak_gis.kernels.lanes import Lanes
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.simulation.ignitions import Ignitions
+    from firebreak_gis.simulation.request import FireRequest
+
+#: Runs made one by one before it is decided whether blocks of 64 pay.
+_PILOT = 4
+#: Runs that a thread makes one by one before it looks for the next piece.
+_PIECE = 8
+
+
+def burn_all(
+    network: SpreadNetwork,
+    request: FireRequest,
+    start: Ignitions,
+    breaks: np.ndarray | xr.DataArray | None,
+    value: np.ndarray | None,
+    threads: int | None,
+    progress: Progress | None,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Burn runs that end by themselves: many at once where that pays.
+
+    Parameters
+    ----------
+    network, request, breaks, threads, progress
+        As in `fires.burn`.
+    start
+        Ignitions of the runs.
+    value
+        (n_cells,) float64 lost where a cell burns, or None.
+
+    Returns
+    -------
+    counts
+        (rows, cols) uint32 runs in which each cell burns.
+    sizes
+        (n_runs,) int64 burnt cells.
+    lost
+        (n_runs,) float64.
+    """
+    from firebreak_gis.kernels.lanes import burn_block
+    from firebreak_gis.kernels.percolation import burn_runs
+
+    n_runs, seed, residual = request.n_runs, request.seed, request.residual
+    cells = start.cells
+    burnt_network = network
+    if breaks is not None:
+        burnt_network = network.treated(breaks, residual=residual)
+        if residual == 0.0:
+            cells = np.where(network.mask(breaks, "breaks").ravel()[cells], -1, cells)
+    fires = _Fires(burnt_network, start.starts, cells, n_runs=n_runs, first_run=start.first_run, seed=seed)
+    counts = np.zeros(network.burnable.size, np.uint32)
+    sizes = np.zeros(n_runs, np.int64)
+    worth = np.zeros(0) if value is None else value
+    lost = np.zeros(n_runs)
+    adding = threading.Lock()
+
+    def one_by_one(first: int, last: int) -> None:
+        own = np.zeros_like(counts)
+        burn_runs(*fires.given, first, last, own, sizes, worth, lost)
+        with adding:
+            np.add(counts, own, out=counts)
+
+    def together(first: int, last: int) -> None:
+        own = np.zeros_like(counts)
+        burn_block(*fires.given, first, last, fires.lanes(), own, sizes)
+        with adding:
+            np.add(counts, own, out=counts)
+
+    # Values are added up run by run, so that their sum has one order.
+    block = together if value is None else None
+    fires.run(one_by_one, block, lambda: (counts, sizes[:_PILOT]), threads=threads, progress=progress)
+    return counts.reshape(network.shape), sizes, lost
+
+
+def burn_levels(
+    network: SpreadNetwork,
+    start: Ignitions,
+    levels: np.ndarray,
+    burnt: np.ndarray,
+    request: FireRequest,
+    threads: int | None,
+    progress: Progress | None,
+) -> None:
+    """Set `burnt`, (run, budget) int64, to the cells burnt at each cut level, by one pass a run.
+
+    `levels` (n_cells,) int32 are those of `fires.cut_levels`; all else as in `burn_all`.
+    """
+    from firebreak_gis.kernels.lanes import curve_block
+    from firebreak_gis.kernels.percolation import burn_curve as curve_runs
+
+    n_runs, seed = request.n_runs, request.seed
+    fires = _Fires(network, start.starts, start.cells, n_runs=n_runs, seed=seed)
+
+    def one_by_one(first: int, last: int) -> None:
+        curve_runs(*fires.given, first, last, levels, burnt)
+
+    def together(first: int, last: int) -> None:
+        curve_block(*fires.given, first, last, levels, fires.lanes(curve=True), burnt)
+
+    fuel = network.burnable.ravel()
+    fires.run(one_by_one, together, lambda: (fuel, burnt[:_PILOT, 0]), threads=threads, progress=progress, curve=True)
+
+
+class _Fires:
+    """What all kernels are given, and how runs are shared out among threads.
+
+    Whether runs are made one by one or 64 at once changes the speed only: both read the same draws.
+    """
+
+    def __init__(
+        self,
+        network: SpreadNetwork,
+        starts: np.ndarray,
+        cells: np.ndarray,
+        *,
+        n_runs: int,
+        seed: int,
+        first_run: int = 0,
+    ) -> None:
+        from firebreak_gis.kernels.draws import run_keys, thresholds
+        from firebreak_gis.kernels.percolation import steps
+
+        self.shape = network.shape
+        self.n_runs = n_runs
+        grid_steps = steps(network.shape, periodic=network.boundary == "periodic")
+        keys = run_keys(seed, "edges", n_runs, first_run)
+        self.given = (thresholds(network.probability), keys, grid_steps, starts, cells)
+        self._own = threading.local()
+
+    def lanes(self, *, curve: bool = False) -> Lanes:
+        """Return the calling thread's state of a block, made once."""
+        from firebreak_gis.kernels.lanes import lanes
+
+        if not hasattr(self._own, "state"):
+            self._own.state = lanes(self.shape, curve=curve)
+        state: Lanes = self._own.state
+        return state
+
+    def run(
+        self,
+        one_by_one: Callable[[int, int], None],
+        together: Callable[[int, int], None] | None,
+        pilot: Callable[[], tuple[np.ndarray, np.ndarray]],
+        *,
+        threads: int | None,
+        progress: Progress | None,
+        curve: bool = False,
+    ) -> None:
+        """Make all runs; `pilot` tells, after the first ones, in which cells and how much has burnt."""
+        from firebreak_gis.kernels.lanes import LANES, block_pays
+
+        n_threads = thread_count(threads)
+        done = min(_PILOT, self.n_runs)
+        report = part(progress, 0.0, done / self.n_runs)
+        _share_out(one_by_one, 0, done, -(-done // n_threads), threads, report)
+        share = -(-(self.n_runs - done) // n_threads)
+        work, size = one_by_one, min(_PIECE, share)
+        if together is not None and share > _PILOT and block_pays(*pilot(), min(LANES, share), curve=curve):
+            work, size = together, min(LANES, share)
+        report = part(progress, done / self.n_runs, 1.0)
+        _share_out(work, done, self.n_runs, size, threads, report)
+
+
+def _share_out(
+    work: Callable[[int, int], None], first: int, last: int, size: int, threads: int | None, progress: Progress
+) -> None:
+    """Make the runs from `first` to before `last`, `size` a piece."""
+    pieces = [(run, min(run + size, last)) for run in range(first, last, max(size, 1))]
+    run_pieces(lambda piece: work(*piece), pieces, threads=threads, progress=progress, message="burning")
