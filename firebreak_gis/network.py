@@ -139,8 +139,8 @@ class SpreadNetwork:
         """
         if self.travel_time is None:
             raise InputError(
-                f"{what} needs travel times, and the network has none: it says how likely fire spreads, not how fast; make "
-                "it with firebreak network --clock (spread_network(..., clock=True)), or bring 8 more bands, of seconds"
+                f"{what} needs travel times, and the network has none: it says how likely fire spreads, not how fast; "
+                "make it with firebreak network --clock (spread_network(..., clock=True)), or bring 8 bands of seconds"
             )
         return self.travel_time
 
