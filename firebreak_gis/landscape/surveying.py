@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -71,12 +72,16 @@ def survey(request: LandscapeRequest) -> Survey:
     vegetation, density = request.vegetation, request.density
     legend, density_legend = request.legend, request.density_legend
     band = dict(request.bidx)
+    words = (*DENSITY.values(), CONTINUITY)
+    if density is None and isinstance(vegetation, str) and vegetation in words and not Path(vegetation).exists():
+        vegetation, density = None, vegetation  # DENSITY of a landscape file
     if vegetation is None:
-        found = read_landscape_file(request.dem, remote=request.remote)
+        asked = legend if isinstance(legend, str) and legend != USUAL else None
+        found = read_landscape_file(request.dem, band=band, legend=asked, remote=request.remote)
         vegetation = request.dem
         density, legend, density_legend = _of_file(found, request.dem, density, legend, density_legend, band, account)
     table, density_table = _legends(legend, density_legend, density)
-    word = density if isinstance(density, str) and density in (*DENSITY.values(), CONTINUITY) else None
+    word = density if isinstance(density, str) and density in words else None
     sources = {"elevation": request.dem, "vegetation": vegetation}
     if density is not None and word is None:
         sources["density"] = density
@@ -171,5 +176,5 @@ def _of_file(
         told += f", canopy cover in band {band['density']}"
     else:
         band.pop("density", None)
-    account.alignment.append(f"{told}; legend {read_legend(legend).name}")
+    account.alignment += [f"{told}; legend {read_legend(legend).name}", f"landscape file: {found.told}"]
     return density, legend, density_legend

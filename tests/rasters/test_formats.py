@@ -57,15 +57,103 @@ def test_the_legend_of_a_landscape_follows_its_codes_and_the_user_wins(tmp_path)
 
 
 def test_a_landscape_as_geotiff_is_known_by_its_bands(tmp_path):
-    path = write(tmp_path / "land.tif", planes(), nodata=-9999)
-    with pytest.raises(InputError, match="no FlamMap landscape"):
-        read_landscape(path)
-    with rasterio.open(path, "r+") as target:
-        for band, text in enumerate(("US_ELEV2020", "US_SLPD2020", "US_ASP2020", "US_240FBFM40", "US_240CC"), start=1):
-            target.set_band_description(band, text)
+    path = named(tmp_path, planes(), ("US_ELEV2020", "US_SLPD2020", "US_ASP2020", "US_240FBFM40", "US_240CC"))
     assert read_landscape(path)["burnable"].sum() == read_landscape(lcp(tmp_path, planes()))["burnable"].sum()
     with pytest.raises(ParameterError, match="left out"):
         read_landscape(read_raster(path, band=1))
+
+
+def named(folder, bands, names, name="land.tif"):
+    path = write(folder / name, bands, nodata=-9999)
+    with rasterio.open(path, "r+") as target:
+        for band, text in enumerate(names, start=1):
+            if text:
+                target.set_band_description(band, text)
+    return path
+
+
+#: Names of the canopy cover in products of LANDFIRE over the years, and of what is none.
+COVERS = [
+    "US_240CC",
+    "LF2024_CC_CONUS",
+    "LF2022_CC_CONUS",
+    "CC",
+    "cc2020",
+    "LC20_CC_200",
+    "US_200CC_20",
+    "Canopy Cover",
+]
+NO_COVERS = ["LF2024_FCCS_CONUS", "CCF", "LF2024_CH_CONUS", "US_240CBD", "ACCESS"]
+
+
+@pytest.mark.parametrize("cover", COVERS + NO_COVERS)
+def test_the_canopy_cover_is_known_by_its_name(tmp_path, cover):
+    bands = planes()[[0, 3, 4]]
+    data = read_landscape(named(tmp_path, bands, ("LF2020_Elev_CONUS", "LF2024_FBFM40_CONUS", cover)))
+    told = " ".join(data.attrs["alignment"])
+    assert ("canopy cover in band 3" in told) == (cover in COVERS)
+    assert ("none of them is a canopy cover" in told) == (cover in NO_COVERS)
+    assert f"3 {cover}" in told
+    assert (set(np.unique(data["density"])) == {0, 1, 2, 3}) == (cover in COVERS)
+
+
+@pytest.mark.parametrize(
+    ("name", "fuel", "legend"),
+    [
+        ("US_240FBFM13", 2, "anderson_13"),
+        ("LF2024_FBFM13_CONUS", 9, "anderson_13"),
+        ("LF2024_FBFM40_CONUS", 165, "scott_burgan_40"),
+        ("Fuel model", 8, "anderson_13"),
+        ("Fuel model", 183, "scott_burgan_40"),
+    ],
+)
+def test_the_legend_follows_the_name_of_the_band_or_its_codes(tmp_path, name, fuel, legend):
+    path = named(tmp_path, planes(fuel=fuel)[[0, 3, 4]], ("Elevation", name, "CC"))
+    assert read_landscape(path).attrs["legend"] == legend
+
+
+def test_of_two_fuel_models_one_is_chosen(tmp_path):
+    bands = np.concatenate([planes(), planes(fuel=9)[3:4]])
+    path = named(tmp_path, bands, ("Elev", "", "", "LF2024_FBFM40_CONUS", "CC", "LF2024_FBFM13_CONUS"))
+    with pytest.raises(InputError, match="choose bands"):
+        read_landscape(path)
+    assert read_landscape(path, legend="anderson_13")["burnable"].any()
+    assert read_landscape(path, legend="scott_burgan_40")["burnable"].any()
+    chosen = read_landscape(path, band={"vegetation": 6})
+    assert chosen.attrs["legend"] == "anderson_13"
+    assert "fuel models in band 6" in chosen.attrs["alignment"][0]
+
+
+@pytest.mark.parametrize("n_bands", [5, 8])
+@pytest.mark.parametrize("names", ["", "Band {}"])
+def test_a_landscape_without_names_is_taken_in_the_order_of_flammap(tmp_path, n_bands, names):
+    bands = np.concatenate([planes(), np.full((3, ROWS, COLS), 7, np.int16)])[:n_bands]
+    data = read_landscape(named(tmp_path, bands, [names.format(i) for i in range(1, n_bands + 1)]))
+    written = read_landscape(lcp(tmp_path, planes()))
+    for layer in ("vegetation", "density"):
+        np.testing.assert_array_equal(data[layer], written[layer])
+    assert "taken in the order of FlamMap" in data.attrs["alignment"][1]
+
+
+@pytest.mark.parametrize(("band", "what"), [(2, "slope"), (3, "aspect"), (4, "fuel models"), (5, "canopy cover")])
+def test_bands_without_names_must_be_possible(tmp_path, band, what):
+    bands = planes()
+    bands[band - 1] = 450
+    with pytest.raises(InputError, match=f"band {band} would be {what}, but its values go from 450 to 450"):
+        read_landscape(write(tmp_path / "land.tif", bands, nodata=-9999))
+    with pytest.raises(InputError, match="no FlamMap landscape"):
+        read_landscape(write(tmp_path / "four.tif", bands[:4], nodata=-9999))
+
+
+def test_a_landscape_without_canopy_is_asked_about_and_takes_a_word(tmp_path):
+    bands = planes()
+    bands[4] = 0
+    path = lcp(tmp_path, bands)
+    with pytest.raises(LegendError, match="is 0 on all cells: is it an empty band"):
+        read_landscape(path)
+    data = read_landscape(path, "sparse")
+    assert set(np.unique(data["density"])) == {0, 1}
+    assert "canopy cover in band" not in data.attrs["alignment"][0]
 
 
 def test_landscapes_that_contradict_themselves_are_refused(tmp_path):
