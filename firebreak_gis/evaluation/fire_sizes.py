@@ -99,7 +99,7 @@ def sample_sizes(growth: Growth, durations: Durations, *, seed: int = 0, draws: 
     return np.concatenate([growth.at(durations.median * np.exp(durations.sigma * row)) for row in scores])
 
 
-def fit_durations(growth: Growth, observed: np.ndarray, *, least: float) -> Durations:
+def fit_durations(growth: Growth, observed: np.ndarray, *, least: float, near: Durations | None = None) -> Durations:
     """Find the durations under which the simulated sizes are distributed like the observed ones.
 
     Parameters
@@ -141,23 +141,27 @@ def fit_durations(growth: Growth, observed: np.ndarray, *, least: float) -> Dura
             "or check rates of spread and spread probabilities"
         )
 
-    def distance(guess: np.ndarray) -> float:
+    def apart(guess: np.ndarray) -> float:
         low, high = _SIGMA
         if not low <= guess[1] <= high:
             return 1e6 * (1.0 + abs(float(guess[1]) - min(max(float(guess[1]), low), high)))
         return _anderson_darling(_conditional(times, Durations(math.exp(guess[0]), float(guess[1]))))
 
-    finite = times[np.isfinite(times)]
-    grid = [
-        (log_median, sigma)
-        for log_median in np.linspace(finite.min() - 2.0, finite.max() + 1.0, 15)
-        for sigma in (0.3, 0.7, 1.2, 2.0, 3.0)
-    ]
-    best = min(grid, key=lambda guess: distance(np.array(guess)))
-    found = optimize.minimize(
-        distance, np.array(best), method="Nelder-Mead", options={"xatol": 1e-4, "fatol": 1e-7, "maxiter": 400}
-    )
+    if near is None:
+        finite = times[np.isfinite(times)]
+        middles = np.linspace(finite.min() - 2.0, finite.max() + 1.0, 15)
+        guesses = [np.array([middle, sigma]) for middle in middles for sigma in (0.3, 0.7, 1.2, 2.0, 3.0)]
+        best = min(guesses, key=apart)
+    else:
+        best = np.array([math.log(near.median), near.sigma])
+    found = optimize.minimize(apart, best, method="Nelder-Mead", options={"xatol": 1e-4, "fatol": 1e-7, "maxiter": 400})
     return Durations(float(math.exp(found.x[0])), float(found.x[1]))
+
+
+def distance(growth: Growth, durations: Durations, observed: np.ndarray, *, least: float) -> float:
+    """Anderson-Darling distance of observed sizes of at least `least` ha from the simulated ones; less is better."""
+    sizes = np.sort(np.asarray(observed, dtype=np.float64)[np.asarray(observed) >= least])
+    return _anderson_darling(_conditional(growth.log_time_of(np.concatenate([[least], sizes])), durations))
 
 
 def leave_one_out(growth: Growth, observed: np.ndarray, *, least: float) -> np.ndarray:
@@ -176,8 +180,9 @@ def leave_one_out(growth: Growth, observed: np.ndarray, *, least: float) -> np.n
     """
     sizes = np.asarray(observed, dtype=np.float64)
     out = np.full(sizes.size, np.nan)
+    everything = fit_durations(growth, sizes, least=least)
     for i in np.flatnonzero(sizes >= least):
-        durations = fit_durations(growth, np.delete(sizes, i), least=least)
+        durations = fit_durations(growth, np.delete(sizes, i), least=least, near=everything)
         out[i] = _conditional(growth.log_time_of(np.array([least, sizes[i]])), durations)[0]
     return out
 

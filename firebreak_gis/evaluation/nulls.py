@@ -198,13 +198,17 @@ def wind_ellipse(
     return taken.reshape(rows, cols)
 
 
-def mean_wind(speeds: np.ndarray, from_directions: np.ndarray) -> tuple[float, float]:
+def mean_wind(
+    speeds: np.ndarray, from_directions: np.ndarray, *, weights: np.ndarray | None = None
+) -> tuple[float, float]:
     """Mean speed, and the direction of the mean wind vector.
 
     Parameters
     ----------
     speeds, from_directions
-        (n,) wind of equal spells [m/s; degrees clockwise from north, where it comes from].
+        (n,) wind [m/s; degrees clockwise from north, where it comes from].
+    weights
+        (n,) how long each blows; alike if not given.
 
     Returns
     -------
@@ -219,8 +223,9 @@ def mean_wind(speeds: np.ndarray, from_directions: np.ndarray) -> tuple[float, f
     """
     speed = np.asarray(speeds, dtype=np.float64)
     angle = np.radians(np.asarray(from_directions, dtype=np.float64))
-    direction = math.degrees(math.atan2(float(np.mean(speed * np.sin(angle))), float(np.mean(speed * np.cos(angle)))))
-    return float(speed.mean()), round(direction % 360.0, 9) % 360.0
+    east, north = (float(np.average(speed * of(angle), weights=weights)) for of in (np.sin, np.cos))
+    direction = round(math.degrees(math.atan2(east, north)) % 360.0, 9) % 360.0
+    return float(np.average(speed, weights=weights)), direction
 
 
 def _require_start(start: np.ndarray) -> tuple[int, int]:

@@ -74,10 +74,10 @@ def test_faster_fires_are_longer_fires():
 
 @pytest.mark.parametrize("truth", [Durations(4 * 3600, 1.0), Durations(10 * 3600, 0.5)])
 def test_fitted_durations_are_those_that_made_the_fires(truth):
-    growth = growing(600)
-    found = fire_sizes.fit_durations(growth, drawn(growth, truth, 3000, 5), least=20.0)
-    assert found.median == pytest.approx(truth.median, rel=0.15)
-    assert found.sigma == pytest.approx(truth.sigma, rel=0.15)
+    growth = growing(300)
+    found = fire_sizes.fit_durations(growth, drawn(growth, truth, 1000, 5), least=20.0)
+    assert found.median == pytest.approx(truth.median, rel=0.2)
+    assert found.sigma == pytest.approx(truth.sigma, rel=0.2)
 
 
 def test_small_fires_do_not_count():

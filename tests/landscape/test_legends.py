@@ -1,6 +1,7 @@
 """Legends: the built-in ones say what they should, own ones are checked to the line."""
 
 import csv
+import math
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from firebreak_gis.errors import LegendError
 from firebreak_gis.landscape import legends
 from firebreak_gis.landscape.legends import parse, read_legend
 from tests.places import real, shared
+from tests.twins import rothermel
 
 BUILT_IN = [
     "anderson_13",
@@ -18,6 +20,7 @@ BUILT_IN = [
     "density",
     "eu12",
     "fbp",
+    "fernandes",
     "kitral",
     "paper",
     "prop6",
@@ -38,7 +41,8 @@ def test_the_built_in_legends_are_listed_with_their_sources():
     for name in legends.names():
         legend = read_legend(name)
         assert sum(line.startswith("Source: ") for line in legend.about) == 1
-        assert legend.version == ("2" if any(e.dead_load is not None for e in legend.entries) else "1")
+        burns = any(e.dead_load is not None or e.rate is not None for e in legend.entries)
+        assert legend.version == ("2" if burns and name != "fernandes" else "1")
         assert legend.has_density or name == "paper"
         assert all(entry.label for entry in legend.entries)
 
@@ -360,3 +364,27 @@ def test_broadleaves_have_the_loads_of_their_source(name, broadleaves):
     entry = next(e for e in read_legend(name).entries if e.low == broadleaves)
     assert (entry.dead_load, entry.live_load, entry.heat_content, entry.live_moisture) == (1.5, 3, 20_000, 0.6)
     assert entry.rate is None  # 140 m/h, as shrubs have
+
+
+RATES = {1: 120.0, 2: 140.0, 3: 200.0}
+
+
+@pytest.mark.parametrize("name", ["anderson_13", "scott_burgan_40", "fernandes"])
+def test_rates_of_fuel_models_are_those_of_their_class_and_of_rothermel(name):
+    """The rate of the class times the square root of the model's own no-wind rate over the class's mean one."""
+    own = {code: rothermel.rate(**model) for code, model in rothermel.models().items()}
+    entries = [e for e in read_legend(name).entries if e.vegetation]
+    for kind in RATES:
+        codes = [int(e.low) for e in entries if e.vegetation == kind]
+        middle = math.exp(sum(math.log(own[code]) for code in codes) / len(codes))
+        for entry in entries:
+            if entry.vegetation == kind:
+                assert entry.rate == round(RATES[kind] * math.sqrt(own[int(entry.low)] / middle)), entry.label
+
+
+def test_the_twin_of_rothermel_burns_slower_the_wetter_and_not_at_extinction():
+    for code, model in rothermel.models().items():
+        rates = [rothermel.rate(**model, moisture=(m, m, m, 0.6 + m, 0.9 + m)) for m in (0.02, 0.06, 0.1, 0.14)]
+        assert rates == sorted(rates, reverse=True), code
+        assert rates[0] > rates[-1]
+        assert rothermel.rate(**model, moisture=(0.6, 0.6, 0.6, 3.0, 3.0)) < 1e-9
