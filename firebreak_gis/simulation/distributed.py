@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.errors import MissingComponentError, ParameterError
-from firebreak_gis.simulation.fires import burn_maps, simulate
+from firebreak_gis.simulation.fires import burn_maps, of_runs, simulate
 from firebreak_gis.simulation.ignitions import resolve_ignitions
 
 if TYPE_CHECKING:
@@ -19,7 +19,10 @@ if TYPE_CHECKING:
 
     from firebreak_gis.network import SpreadNetwork
 
-    Part = tuple[np.ndarray, np.ndarray, np.ndarray | None]
+    Part = tuple[np.ndarray, dict[str, np.ndarray]]
+
+#: Numbers of a run that some simulations have, in the order of `simulate`.
+_LATER = ("duration", "weather")
 
 
 def simulate_distributed(
@@ -38,7 +41,7 @@ def simulate_distributed(
     seed
         Seed of the draws.
     **fires
-        `breaks`, `residual`, `value`, `ignitions` and `ignition_mode` as in `simulate`.
+        All else as in `simulate`, but no `products`.
 
     Returns
     -------
@@ -64,6 +67,8 @@ def simulate_distributed(
             "dask is not installed, which spreads the runs; install firebreak_gis[scale]"
         ) from None
 
+    if fires.get("products") is not None:
+        raise ParameterError("products are kept by simulate alone, not by tasks of dask")
     if runs_per_task < 1:
         raise ParameterError(f"runs_per_task is {runs_per_task}, expected at least 1")
     where = {key: fires[key] for key in ("ignitions", "ignition_mode") if key in fires}
@@ -78,17 +83,18 @@ def simulate_distributed(
     ]
     while len(parts) > 1:  # two and two, so that no machine holds more than a few maps
         parts = [joined(*parts[i : i + 2]) if i + 1 < len(parts) else parts[i] for i in range(0, len(parts), 2)]
-    counts, sizes, lost = parts[0].compute()
-    return burn_maps(network, counts, sizes, seed=seed, lost=lost)
+    counts, told = parts[0].compute()
+    burns = burn_maps(network, counts, told["fire_size"], seed=seed, lost=told.get("value_lost"))
+    return burns.assign({name: of_runs(name, told[name]) for name in _LATER if name in told})
 
 
 def _part(network: SpreadNetwork, **fires: Any) -> Part:
     burns = simulate(network, threads=1, **fires)
-    lost = burns["value_lost"].to_numpy() if "value_lost" in burns else None
-    return burns["burn_count"].to_numpy(), burns["fire_size"].to_numpy(), lost
+    return burns["burn_count"].to_numpy(), {
+        name: burns[name].to_numpy() for name in ("fire_size", "value_lost", *_LATER) if name in burns
+    }
 
 
 def _join(one: Part, other: Part) -> Part:
     """The runs of both, `one` before `other`."""
-    lost = None if one[2] is None or other[2] is None else np.concatenate([one[2], other[2]])
-    return one[0] + other[0], np.concatenate([one[1], other[1]]), lost
+    return one[0] + other[0], {name: np.concatenate([told, other[1][name]]) for name, told in one[1].items()}

@@ -190,7 +190,7 @@ def burn(
     if request.duration is not None:
         burns["duration"] = _ends(limits)
     if spells is not None:
-        burns["weather"] = _of_runs("weather", spells)
+        burns["weather"] = of_runs("weather", spells)
     return burns
 
 
@@ -345,7 +345,7 @@ def burn_maps(
     return xr.Dataset(
         {
             **{name: annotate(network.grid.dataarray(plane, name)) for name, plane in planes.items()},
-            **{name: _of_runs(name, each) for name, each in runs.items()},
+            **{name: of_runs(name, each) for name, each in runs.items()},
         },
         attrs={"n_runs": n_runs, "seed": seed, "n_burnable": network.n_burnable},
     )
@@ -353,10 +353,11 @@ def burn_maps(
 
 def _ends(limits: np.ndarray) -> xr.DataArray:
     """How long each run may burn [s], infinite without an end."""
-    return _of_runs("duration", np.where(limits >= ENDLESS, np.inf, limits.astype(np.float64)))
+    return of_runs("duration", np.where(limits >= ENDLESS, np.inf, limits.astype(np.float64)))
 
 
-def _of_runs(name: str, values: np.ndarray) -> xr.DataArray:
+def of_runs(name: str, values: np.ndarray) -> xr.DataArray:
+    """Return a number a run as the variable of that name."""
     import xarray as xr
 
     return annotate(xr.DataArray(values, dims="run", name=name))

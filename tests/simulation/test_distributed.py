@@ -10,6 +10,7 @@ import xarray as xr
 
 from firebreak_gis import SpreadNetwork, rank, select_breaks, simulate, simulate_distributed
 from firebreak_gis.errors import InputError, MissingComponentError, ParameterError
+from firebreak_gis.simulation.products import Products
 
 
 @pytest.fixture(scope="module")
@@ -35,6 +36,24 @@ def test_equal_to_one_call_however_split(network, runs_per_task, scheduler):
     with dask.config.set(scheduler=scheduler):
         found = simulate_distributed(network, n_runs=75, runs_per_task=runs_per_task, seed=5, **given)
     assert found.identical(simulate(network, n_runs=75, seed=5, **given))
+
+
+@pytest.mark.parametrize("scheduler", ["synchronous", "threads", "processes"])
+def test_fires_with_a_clock_are_equal_however_split(scheduler):
+    random = np.random.default_rng(4)
+    network = SpreadNetwork(random.uniform(0.0, 0.6, (8, 13, 21)), travel_time=random.integers(20, 300, (8, 13, 21)))
+    given = {
+        "breaks": random.random((13, 21)) < 0.1,
+        "hold": 0.5,
+        "duration": "lognormal:20min,0.5",
+        "n_runs": 50,
+        "seed": 3,
+    }
+    with dask.config.set(scheduler=scheduler, num_workers=2):
+        found = simulate_distributed(network, runs_per_task=13, **given)
+    assert found.identical(simulate(network, **given))
+    with pytest.raises(ParameterError, match="products"):
+        simulate_distributed(network, products=Products(by=(60.0,)), **given)
 
 
 def test_equal_in_other_processes(network, points):
