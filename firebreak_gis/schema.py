@@ -121,6 +121,8 @@ _VARIABLES = (
     Variable("breaks", ("y", "x"), "uint8", "1", "fire break", 0, 1, 255,
              MappingProxyType({0: "untouched", 1: "fire break"}),
              MappingProxyType({0: "#00000000", 1: "#1f4fd8"})),
+    Variable("suitability", ("y", "x"), "float32", "1", "how well a line can be held, 1 is best", 0.0, 1.0, -9999.0,
+             colours=_ramp("#8c510a", "#f6e8c3", "#01665e")),
     Variable("burn_count", ("y", "x"), "uint32", "1", "runs in which the cell burns", 0, None, 4294967295,
              colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
     Variable("burn_frequency", ("y", "x"), "float32", "1", "share of runs in which the cell burns", 0.0, 1.0,

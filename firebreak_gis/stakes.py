@@ -24,7 +24,7 @@ class StakePlanes:
     ----------
     barriers
         (rows, cols), above 0 on existing breaks, roads and rivers, see `with_barriers`.
-    cost, protected, value, ignition
+    cost, protected, value, ignition, difficulty
         As in `Stakes`.
     """
 
@@ -33,6 +33,7 @@ class StakePlanes:
     protected: Plane | None = None
     value: Plane | None = None
     ignition: Plane | None = None
+    difficulty: Plane | None = None
 
     def roads(self, network: SpreadNetwork) -> np.ndarray | None:
         """(rows, cols) float64, 1 on a barrier, for methods that follow roads; None where none are given."""
@@ -42,7 +43,14 @@ class StakePlanes:
         """Put the barriers into a network, and the rest into its `Stakes`."""
         if self.barriers is not None:
             network = with_barriers(network, self.barriers)
-        stakes = Stakes(network, cost=self.cost, protected=self.protected, value=self.value, ignition=self.ignition)
+        stakes = Stakes(
+            network,
+            cost=self.cost,
+            protected=self.protected,
+            value=self.value,
+            ignition=self.ignition,
+            difficulty=self.difficulty,
+        )
         return network, stakes
 
 
@@ -62,10 +70,13 @@ class Stakes:
         (rows, cols) value lost when the cell burns, any one unit, >= 0. Default: 1 on fuel.
     ignition
         (rows, cols) how likely a fire starts in the cell, relative to the others, >= 0. Default: 1 on fuel.
+    difficulty
+        (rows, cols) times that a wall in the cell counts as beside its cost, where it is hard to hold or to build,
+        > 0 on fuel, see `landscape.siting`. It shapes walls and is not paid: budgets know the cost alone. Default: 1.
 
     Attributes
     ----------
-    cost, value, ignition : numpy.ndarray
+    cost, value, ignition, difficulty : numpy.ndarray
         (rows, cols) float64, read-only; 0 where there is no fuel.
     protected : numpy.ndarray
         (rows, cols) bool, read-only.
@@ -83,6 +94,7 @@ class Stakes:
     protected: np.ndarray
     value: np.ndarray
     ignition: np.ndarray
+    difficulty: np.ndarray
     priced: bool
 
     def __init__(
@@ -93,14 +105,17 @@ class Stakes:
         protected: Plane | None = None,
         value: Plane | None = None,
         ignition: Plane | None = None,
+        difficulty: Plane | None = None,
     ) -> None:
         problems: list[str] = []
         fuel = network.burnable
         alike = fuel.astype(np.float64)  # one plane for all that is not given
         planes = {
             name: _weights(network, data, name, alike, problems)
-            for name, data in (("cost", cost), ("value", value), ("ignition", ignition))
+            for name, data in (("cost", cost), ("value", value), ("ignition", ignition), ("difficulty", difficulty))
         }
+        if not (planes["difficulty"][fuel] > 0.0).all():
+            problems.append("difficulty is 0 on cells that hold fuel, expected numbers above 0")
         for name, what in (("value", "nothing can be lost"), ("ignition", "no fire can start")):
             if fuel.any() and not planes[name].any():
                 problems.append(f"{name} is zero on every cell that holds fuel, so {what}")

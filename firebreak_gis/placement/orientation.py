@@ -71,6 +71,7 @@ def _turned_setting(turned: SpreadNetwork, stakes: Stakes, turn: Turn) -> Stakes
         protected=turn(stakes.protected),
         value=turn(stakes.value),
         ignition=turn(stakes.ignition),
+        difficulty=turn(stakes.difficulty),
     )
 
 
@@ -100,6 +101,8 @@ def _digest(network: SpreadNetwork, stakes: Stakes, symmetry: tuple[bool, int]) 
     seen = hashlib.blake2b(repr(turn(network.burnable).shape).encode())
     for plane in (network.burnable, stakes.protected, stakes.cost, stakes.value, stakes.ignition):
         seen.update(turn(plane).tobytes())
+    if (stakes.difficulty[network.burnable] != 1.0).any():
+        seen.update(turn(stakes.difficulty).tobytes())
     for d in _directions(symmetry):
         seen.update(turn(network.probability[d]).tobytes())
         if network.travel_time is not None:
