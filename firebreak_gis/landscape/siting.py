@@ -162,7 +162,7 @@ def fuel_edges(burnable: np.ndarray, flammability: np.ndarray | None = None) -> 
         apart &= np.maximum(lit[one], lit[two]) > 0
         edges[one] |= apart
         edges[two] |= apart
-    return edges & fuel
+    return np.asarray(edges & fuel)
 
 
 def difficulty(suitable: np.ndarray, *, strength: float = 1.0) -> np.ndarray:

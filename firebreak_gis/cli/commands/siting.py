@@ -1,0 +1,81 @@
+"""firebreak siting: an aligned landscape in, where a line can be held out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import click
+
+from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli.requests import built
+from firebreak_gis.cli.session import Session
+from firebreak_gis.files.request import OutputRequest
+
+
+@click.command("siting")
+@click.argument("folder", type=click.Path(file_okay=False))
+@options.output_file("Suitability GeoTIFF")
+@click.option("--roads", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Roads and tracks (lines or a raster).")
+@click.option(
+    "--rivers", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Rivers and lakes (lines, areas, a raster)."
+)
+@click.option(
+    "--siting-param",
+    "weights",
+    callback=kinds.pairs,
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Weight or reach of a factor, such as ridge=2 or road_reach=60; may be repeated (see the documentation).",
+)
+@options.common
+@built(output=OutputRequest)
+def command(
+    session: Session,
+    folder: str,
+    output: OutputRequest,
+    roads: str | None,
+    rivers: str | None,
+    weights: Mapping[str, Any],
+) -> None:
+    """Find where a line can be held in the landscape in FOLDER (made by align).
+
+    The suitability, from 0 to 1, is the weighted mean of landform (ridges and valley bottoms at several scales), slope
+    for machines, roads, rivers, edges of the fuel, and access. The weights have no source for your region: they are
+    parameters. Plans take it with --siting.
+    """
+    from firebreak_gis.files import require_writable
+    from firebreak_gis.grid import Grid
+    from firebreak_gis.landscape import read_landscape_folder
+    from firebreak_gis.landscape.planes import mask_plane
+    from firebreak_gis.landscape.siting import site
+    from firebreak_gis.manifest import provenance
+    from firebreak_gis.rasters import files_behind, write_raster
+
+    inputs = files_behind([*map(str, Path(folder).glob("*.tif")), *filter(None, (roads, rivers))])
+    require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
+    landscape = read_landscape_folder(folder)
+    grid = Grid.of(landscape["burnable"])
+    session.progress(0.2, "factors")
+    found = site(
+        landscape,
+        roads=mask_plane(roads, grid, what="roads") if roads else None,
+        rivers=mask_plane(rivers, grid, what="rivers") if rivers else None,
+        **weights,
+    )
+    factors = [name.removeprefix("suitability_") for name in map(str, found) if name != "suitability"]
+    session.progress(0.7, "writing")
+    write_raster(
+        output.output,
+        found["suitability"],
+        overwrite=output.overwrite,
+        forbid=inputs,
+        provenance=provenance({"factors": factors, "weights": dict(weights)}),
+        creation_options=output.creation_options,
+    )
+    mean = float(found["suitability"].where(landscape["burnable"]).mean())
+    session.finish(
+        {"files": [output.output], "factors": factors, "mean_suitability": round(mean, 4)},
+        f"suitability from {', '.join(factors)}, mean {mean:.2f} where there is fuel; written to {output.output}",
+    )
