@@ -176,6 +176,13 @@ def removal_order(priority: np.ndarray | xr.DataArray) -> np.ndarray:
     -------
     numpy.ndarray
         (rows, cols) int64: 0 for the cell cut first; -1 for cells that are never cut.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> removal_order(np.array([[3.0, 7.0], [-np.inf, 3.0]]))
+    array([[ 1,  0],
+           [-1,  2]])
     """
     values = np.asarray(priority, dtype=np.float64)
     if values.ndim != 2:
@@ -228,6 +235,16 @@ def select_breaks(
     Notes
     -----
     Memory at the peak: at most 90 B a cell, a network and the priority included.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> priority = np.array([[3.0, 7.0], [1.0, 3.0]])
+    >>> select_breaks(priority, budget=0.5).to_numpy()
+    array([[1, 1],
+           [0, 0]], dtype=uint8)
+    >>> select_breaks(priority, budget=4.0, unit="cost", cost=np.full((2, 2), 1.3)).attrs["cells_cut"]
+    3
     """
     amount = Budget.of(budget, unit)
     position = removal_order(priority)
@@ -278,6 +295,15 @@ def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -
     geopandas.GeoDataFrame
         Columns `order` (1 = highest mean priority), `cells`, `area_ha`, `mean_priority`, `geometry` (valid
         polygons or multipolygons), sorted by `order`.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> priority = fb.rank(network, "degree")
+    >>> pieces = fb.break_polygons(fb.select_breaks(priority, budget=0.1), priority)
+    >>> int(pieces["cells"].sum()) == round(0.1 * network.n_burnable)
+    True
     """
     import geopandas as gpd
     from rasterio.features import shapes

@@ -136,6 +136,13 @@ def write_vector(
         For .parquet without pyarrow.
     VerificationError
         If the file does not hold the features of `gdf`.
+
+    Examples
+    --------
+    >>> import geopandas as gpd
+    >>> points = gpd.GeoDataFrame({"people": [40]}, geometry=gpd.points_from_xy([586500], [3999800]), crs=32635)
+    >>> write_vector("villages.gpkg", points).name
+    'villages.gpkg'
     """
     place = Path(path)
     driver = DRIVERS.get(place.suffix.lower())

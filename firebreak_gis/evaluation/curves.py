@@ -67,6 +67,17 @@ def evaluate(
     ------
     ParameterError, InputError, GridError
         As `summarise` and `simulate`; the baseline is looked for before the first fire.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> rankings = {name: fb.rank(network, name) for name in ("bonacich", "random")}
+    >>> result = fb.evaluate(network, rankings, budgets=[0.0, 0.2], n_runs=50)
+    >>> result["mean"].sizes["ranking"], result["mean"].sizes["budget"]
+    (2, 2)
+    >>> float(result["p_value"].sel(ranking="bonacich", budget=0.0))  # the same fires, and nothing cut
+    1.0
     """
     request = FireRequest(ignitions, ignition_mode, n_runs, seed)
     return evaluate_fires(

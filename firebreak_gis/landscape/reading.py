@@ -106,6 +106,14 @@ def read_landscape(
     Notes
     -----
     Memory at the peak: at most 65 B a cell of the grid, beside the part of a layer that is read at once.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> layers = [f"sample_data/{name}.tif" for name in ("dem", "vegetation", "density")]
+    >>> landscape = fb.read_landscape(*layers, resolution=200.0)
+    >>> sorted(landscape.data_vars), landscape["elevation"].attrs["units"]
+    (['burnable', 'density', 'elevation', 'vegetation'], 'm')
     """
     request = LandscapeRequest(
         dem,

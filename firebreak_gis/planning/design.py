@@ -79,6 +79,15 @@ def rank(
     Notes
     -----
     Memory at the peak, beside the network: `plugins.memory_of("ranking", method)`; the text of each method says more.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> fb.rank(network, "bonacich", beta=0.2).attrs["method"]
+    'bonacich'
+    >>> fb.rank(network, "stripes", budget=0.2).attrs["made_for"]
+    '0.2 share'
     """
     amount = Budget.of(budget)
     amount.require()

@@ -237,6 +237,16 @@ def plan(
     ------
     ParameterError, InputError
         Before the ranking, naming everything that stands in the way, see `feasibility.feasibility`.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> layers = [f"sample_data/{name}.tif" for name in ("dem", "vegetation", "density")]
+    >>> made = fb.plan(fb.read_landscape(*layers, resolution=200.0), budget=0.1, n_runs=20)
+    >>> made.summary["cells_cut"] == round(0.1 * made.network.n_burnable)
+    True
+    >>> made.summary["burnt_share_with_breaks"] < made.summary["burnt_share_without_breaks"]
+    True
     """
     request = PlanRequest(
         design=DesignRequest(method, method_params or {}, budget, budget_unit, width, refine),

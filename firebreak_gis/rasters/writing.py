@@ -84,6 +84,14 @@ def write_raster(
     Notes
     -----
     Memory at the peak: twice the values, and the compressed file.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> breaks = fb.select_breaks(fb.rank(network, "degree"), budget=0.1)
+    >>> fb.write_raster("breaks.tif", breaks).name
+    'breaks.tif'
     """
     layers: list[Any] = [data] if hasattr(data, "dtype") else list(data.data_vars.values())
     variables = [_variable_of(layer) for layer in layers]

@@ -59,6 +59,14 @@ def simulate_distributed(
     -----
     Make a `dask.distributed.Client` first to use a cluster; without one dask takes the threads of this machine. The
     network is sent to a worker once.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> spread_out = fb.simulate_distributed(network, n_runs=40, runs_per_task=10, seed=3)
+    >>> bool((spread_out["fire_size"] == fb.simulate(network, n_runs=40, seed=3)["fire_size"]).all())
+    True
     """
     try:
         from dask.delayed import delayed

@@ -117,6 +117,15 @@ def simulate(
 
     Memory: 32 B a cell for the draw thresholds and up to 100 B a cell and thread, whatever the number of
     runs; with a clock 32 B a cell more for each step of the weather.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> breaks = fb.select_breaks(fb.rank(network, "compartments"), budget=0.1)
+    >>> before, after = fb.simulate(network, n_runs=50), fb.simulate(network, breaks=breaks, n_runs=50)
+    >>> bool(after["fire_size"].mean() < before["fire_size"].mean())
+    True
     """
     request = FireRequest(
         ignitions,
@@ -254,6 +263,14 @@ def burn_curve(
     -------
     xarray.DataArray
         `cells_burnt` (run, budget) int64 with the coordinate `budget`.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> burnt = fb.burn_curve(network, fb.rank(network, "bonacich"), budgets=[0.0, 0.1, 0.3], n_runs=50)
+    >>> burnt.sizes["run"], burnt.sizes["budget"], bool((burnt[:, 0] >= burnt[:, 2]).all())
+    (50, 3, True)
     """
     request = FireRequest(ignitions, ignition_mode, n_runs, seed)
     return burn_budgets(network, priority, request, budgets=budgets, threads=threads, progress=progress)

@@ -91,6 +91,16 @@ def spread_network(
     Notes
     -----
     Memory at the peak: at most 110 B a cell, the landscape included; the network keeps 33 B a cell.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> layers = [f"sample_data/{name}.tif" for name in ("dem", "vegetation", "density")]
+    >>> landscape = fb.read_landscape(*layers, resolution=200.0)
+    >>> network = fb.spread_network(landscape, wind_speed=5.0, wind_from_direction=270.0)
+    >>> west_to_east, east_to_west = network.probability[2].mean(), network.probability[6].mean()
+    >>> bool(west_to_east > east_to_west)
+    True
     """
     if neighbourhood not in get_args(Neighbourhood):
         raise ParameterError(
@@ -153,6 +163,15 @@ def weather_networks(
     ------
     ParameterError
         If the model knows no wind, or the wind is also given as a parameter, or the weather changes without a clock.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> layers = [f"sample_data/{name}.tif" for name in ("dem", "vegetation", "density")]
+    >>> landscape = fb.read_landscape(*layers, resolution=200.0)
+    >>> networks = fb.weather_networks(landscape, "rose:NW=5x0.4,N=36km/hx0.2;duration=8h")
+    >>> [spell.steps[0].wind_from_direction for spell in networks.weather.spells]
+    [315.0, 0.0]
     """
     from firebreak_gis.simulation.weather import WeatherNetworks
     from firebreak_gis.simulation.weather_reading import read_weather

@@ -40,6 +40,12 @@ def forest(shape: tuple[int, int] = (50, 50), *, seed: int = 0) -> xr.Dataset:
     -------
     xarray.Dataset
         `emptiness` (y, x) float64 and `burnable` (all true), attribute `boundary` = "periodic".
+
+    Examples
+    --------
+    >>> landscape = forest((12, 20), seed=1)
+    >>> landscape["emptiness"].shape, landscape.attrs["boundary"]
+    ((12, 20), 'periodic')
     """
     import xarray as xr
 

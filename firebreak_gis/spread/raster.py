@@ -51,6 +51,14 @@ def read_network(path: str | Path) -> SpreadNetwork:
     InputError
         If the file cannot be read, has other bands or values outside [0, 1]; `CRSError` if it has no
         CRS, unless this package wrote it (an artificial forest).
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> path = fb.write_raster("network.tif", network.to_raster())
+    >>> bool((fb.read_network(path).probability == network.probability).all())
+    True
     """
     planes = _read(path, unreferenced=True)
     data = planes["spread_probability"]
