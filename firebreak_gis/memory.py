@@ -44,6 +44,8 @@ _PLAIN, _COMPILED, _DRAWING = 170_000_000, 285_000_000, 435_000_000
 _NETWORK = 58
 #: Making a network, or reading one, is the peak of each command that has one, unless its work needs more.
 _MAKING, _READING = Need(_COMPILED, 210), Need(_PLAIN, 140)
+#: What travel times add to making a network, and to all else, bytes a cell.
+_TIMES_MADE, _TIMES = 190, 100
 _STAGES: Mapping[str, tuple[Need, ...]] = {
     "align": (Need(_PLAIN, 81),),
     "network": (_MAKING,),
@@ -55,7 +57,9 @@ _STAGES: Mapping[str, tuple[Need, ...]] = {
 }
 
 
-def bytes_for(command: str, cells: int, *, method: str | None = None, threads: int | None = None) -> int:
+def bytes_for(
+    command: str, cells: int, *, method: str | None = None, clock: bool = False, threads: int | None = None
+) -> int:
     """Estimate the peak memory of a command.
 
     Parameters
@@ -66,6 +70,8 @@ def bytes_for(command: str, cells: int, *, method: str | None = None, threads: i
         Of the grid.
     method
         Ranking, for the commands that rank; several names, by commas, for those that take several.
+    clock
+        Whether the network has travel times.
     threads
         See `workers.thread_count`.
     """
@@ -75,7 +81,12 @@ def bytes_for(command: str, cells: int, *, method: str | None = None, threads: i
         if name:
             cell, thread = memory_of("ranking", name)
             stages.append(Need(_COMPILED, _NETWORK + cell, thread))
-    return max(stage.bytes(cells, n_threads) for stage in stages)
+    needed = [stage.bytes(cells, n_threads) + clock * cells * _times(stage) for stage in stages]
+    return max(needed)
+
+
+def _times(stage: Need) -> int:
+    return _TIMES_MADE if stage is _MAKING else _TIMES
 
 
 def allowed(max_memory: int | None = None) -> int:

@@ -331,7 +331,8 @@ class SpreadNetwork:
 
         planes = {"spread_probability": self.to_raster()}
         if self.travel_time is not None:
-            times = np.where(self.travel_time == NEVER, np.float32(np.nan), self.travel_time.astype(np.float32))
+            times = self.travel_time.astype(np.float32)
+            times[self.travel_time == NEVER] = np.nan
             planes["travel_time"] = annotate(self.grid.dataarray(times, "travel_time"))
         if self.heat is not None:
             heat = np.where(self.burnable, self.heat, np.float32(np.nan))

@@ -33,6 +33,7 @@ def test_more_cells_and_threads_need_more(command):
     assert needs[2] > needs[0] + 80 * 10**6
     few, many = (memory.bytes_for(command, 10**7, method=method, threads=n) for n in (1, 64))
     assert few <= many
+    assert memory.bytes_for(command, 10**6, method=method, threads=2, clock=True) > needs[2] + 60 * 10**6
 
 
 def test_what_does_not_fit_is_refused():

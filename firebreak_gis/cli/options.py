@@ -145,16 +145,17 @@ def fitting(work: str) -> Callable[[F], F]:
 
 def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -> None:
     from firebreak_gis import memory
-    from firebreak_gis.rasters import read_header
+    from firebreak_gis.rasters import read_header, variable_bands
 
     try:
         source = given["network"] if "network" in given else Path(given["folder"]) / "elevation.tif"
         rows, cols = read_header(source, band=1).shape
+        clock = bool(given.get("clock")) or "travel_time" in variable_bands(source)
     except InputError:
         return  # the command says it better
     names = [method.name for method in given.get("method_list", ())]
     names += [given["method"]] if "method" in given else []
-    needed = memory.bytes_for(work, rows * cols, method=",".join(names))
+    needed = memory.bytes_for(work, rows * cols, method=",".join(names), clock=clock)
     memory.require_memory(needed, f"firebreak {work} on {rows} x {cols} cells", max_memory=max_memory)
 
 

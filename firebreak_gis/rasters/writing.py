@@ -103,9 +103,7 @@ def write_raster(
                 f"{variable.nodata} and {disk_dtype(other)} with {other.nodata}; write one file each"
             )
     grid = Grid.of(data)
-    stored = [_stored_values(layer.to_numpy(), each) for layer, each in zip(layers, variables, strict=True)]
-    parts = [values if values.ndim == 3 else values[np.newaxis] for values in stored]
-    planes = parts[0] if len(parts) == 1 else np.concatenate(parts)
+    planes = _planes(layers, variables, grid.shape)
     tags = {**(provenance or {}), **{key: data.attrs[key] for key in _KEPT if key in data.attrs}}
     options = {"blocksize": 256, **_lower(creation_options or {})}
     place = Path(path)
@@ -118,8 +116,21 @@ def write_raster(
             verify=lambda part: _verify(part, planes, grid, variable),
             remove=[place.with_name(place.name + suffix) for suffix in SIDECARS],
         )
-        _write_style(place, stored[0], variable, overwrite)
+        _write_style(place, planes[: len(variable.bands)], variable, overwrite)
     return place
+
+
+def _planes(layers: Sequence[xr.DataArray], variables: Sequence[Variable], shape: tuple[int, int]) -> np.ndarray:
+    """Bands of a file, (bands, rows, cols), one layer after another."""
+    if len(layers) == 1:
+        values = _stored_values(layers[0].to_numpy(), variables[0])
+        return values if values.ndim == 3 else values[np.newaxis]
+    planes = np.empty((sum(len(variable.bands) for variable in variables), *shape), disk_dtype(variables[0]))
+    first = 0
+    for layer, variable in zip(layers, variables, strict=True):
+        planes[first : first + len(variable.bands)] = _stored_values(layer.to_numpy(), variable)
+        first += len(variable.bands)
+    return planes
 
 
 def _variable_of(data: xr.DataArray) -> Variable:

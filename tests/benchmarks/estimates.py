@@ -60,21 +60,25 @@ def measure(size: int, rankings: tuple[str, ...], *, whole: bool = True) -> dict
     """Estimate and peak of every command on `size` x `size` cells, in bytes."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        paths, network = layers(folder, size), str(folder / "network.tif")
+        paths, network, timed = layers(folder, size), str(folder / "network.tif"), str(folder / "timed.tif")
         work = {
             "align": ["align", *paths, "-o", str(folder / "land")],
             "network": ["network", str(folder / "land"), "-o", network],
             **{f"rank {m}": ["rank", network, "--method", m, "-o", str(folder / f"{m}.tif")] for m in rankings},
             "burn": ["burn", network, "-o", str(folder / "f.tif")],
+            "network, clock": ["network", str(folder / "land"), "-o", timed, "--clock", "--wind-speed", "5"],
+            "rank random, clock": ["rank", timed, "--method", "random", "-o", str(folder / "timed_random.tif")],
         }
         if whole:
             plan = ["plan", *paths, "--method", rankings[0], "-o", str(folder / "plan")]
             work |= {"plan": plan}
         result = {}
         for what, words in work.items():
-            command, _, method = what.partition(" ")
+            command, _, method = what.removesuffix(", clock").partition(" ")
             method = rankings[0] if command == "plan" else method
-            result[what] = memory.bytes_for(command, size * size, method=method or None), peak([*words, "-q"])
+            clock = what.endswith(", clock")
+            estimated = memory.bytes_for(command, size * size, method=method or None, clock=clock)
+            result[what] = estimated, peak([*words, "-q"])
         return result
 
 
