@@ -193,6 +193,20 @@ class Grid:
         return coords
 
     @classmethod
+    def of_directions(cls, data: Any) -> Grid:
+        """Read the grid of a (direction, y, x) array whose directions, if named, stand in the order of the lattice."""
+        from firebreak_gis.lattice import DIRECTIONS
+
+        if data.ndim == 3 and data.dims[0] in data.coords:
+            order = tuple(str(name) for name in data[data.dims[0]].to_numpy())
+            if set(order) == set(DIRECTIONS) and order != DIRECTIONS:
+                raise GridError(
+                    f"{data.name or 'the array'} has its directions in the order {' '.join(order)}, expected "
+                    f"{' '.join(DIRECTIONS)}; reorder them with .sel(direction=[...])"
+                )
+        return cls.of(data)
+
+    @classmethod
     def of(cls, data: Any) -> Grid:
         """Read the grid of a DataArray or Dataset with `y`, `x` and (as rioxarray keeps it) `spatial_ref`.
 

@@ -76,7 +76,7 @@ class SpreadNetwork:
         travel_time: np.ndarray | xr.DataArray | None = None,
         heat: np.ndarray | xr.DataArray | None = None,
     ) -> None:
-        grid = _grid_of(probability) if hasattr(probability, "dims") else None
+        grid = Grid.of_directions(probability) if hasattr(probability, "dims") else None
         values = np.array(probability, dtype=np.float32, order="C")
         if values.ndim != 3 or values.shape[0] != 8 or 0 in values.shape:
             raise GridError(f"probability has shape {values.shape}, expected (8, rows, cols)")
@@ -382,18 +382,6 @@ def neighbour(plane: np.ndarray, direction: int, boundary: Boundary = "open") ->
     return out
 
 
-def _grid_of(probability: Any) -> Grid:
-    """Grid of a (direction, y, x) array whose directions, if named, stand in the order of the lattice."""
-    if probability.ndim == 3 and probability.dims[0] in probability.coords:
-        order = tuple(str(name) for name in probability[probability.dims[0]].to_numpy())
-        if set(order) == set(DIRECTIONS) and order != DIRECTIONS:
-            raise GridError(
-                f"probability has its directions in the order {' '.join(order)}, expected "
-                f"{' '.join(DIRECTIONS)}; reorder them with probability.sel(direction=[...])"
-            )
-    return Grid.of(probability)
-
-
 def _close_boundary(values: np.ndarray) -> None:
     """Set the edges that leave an open grid to 0."""
     for d in range(8):
@@ -412,7 +400,7 @@ def _has_edge(values: np.ndarray, boundary: Boundary) -> np.ndarray:
 
 def _laid_on(data: np.ndarray | xr.DataArray, shape: tuple[int, ...], grid: Grid, what: str) -> np.ndarray:
     if hasattr(data, "dims") and grid.crs is not None:
-        grid.require(_grid_of(data), what)
+        grid.require(Grid.of_directions(data), what)
     values = np.asarray(data)
     if values.shape != shape:
         raise GridError(f"{what} has shape {values.shape}, expected {shape}")
