@@ -192,6 +192,11 @@ class Grid:
             coords["spatial_ref"] = xr.Variable((), 0, attrs)
         return coords
 
+    @staticmethod
+    def crs_told(data: Any) -> CRS | None:
+        """Return the CRS that a DataArray or Dataset tells in a grid mapping."""
+        return _mapped_crs(_grid_mapping(data))
+
     @classmethod
     def of_directions(cls, data: Any) -> Grid:
         """Read the grid of a (direction, y, x) array whose directions, if named, stand in the order of the lattice."""
@@ -208,7 +213,7 @@ class Grid:
 
     @classmethod
     def of(cls, data: Any) -> Grid:
-        """Read the grid of a DataArray or Dataset with `y`, `x` and (as rioxarray keeps it) `spatial_ref`.
+        """Read the grid of a DataArray or Dataset with `y`, `x` and a CF grid mapping (rioxarray's is `spatial_ref`).
 
         Raises
         ------
@@ -221,16 +226,11 @@ class Grid:
         if not {"y", "x"} <= set(dims) or (is_array and dims[-2:] != ("y", "x")):
             raise GridError(f"expected dimensions (..., y, x), got {dims}; rename or transpose")
         shape = (int(data.sizes["y"]), int(data.sizes["x"]))
-        crs = None
+        told = _grid_mapping(data)
         transform = None
-        if "spatial_ref" in data.coords:
-            attrs = data.coords["spatial_ref"].attrs
-            wkt = attrs.get("crs_wkt") or attrs.get("spatial_ref")
-            if wkt:
-                crs = parse_crs(wkt)
         if "x" in data.coords and "y" in data.coords:
-            transform = _transform_from_centres(data["x"].to_numpy(), data["y"].to_numpy(), data)
-        return cls(shape, transform or UNREFERENCED, crs)
+            transform = _transform_from_centres(data["x"].to_numpy(), data["y"].to_numpy(), told)
+        return cls(shape, transform or UNREFERENCED, _mapped_crs(told))
 
 
 def _cf_attributes(crs: CRS) -> dict[str, Any]:
@@ -243,10 +243,99 @@ def _cf_attributes(crs: CRS) -> dict[str, Any]:
         ) from error
 
 
-def _transform_from_centres(x: np.ndarray, y: np.ndarray, data: xr.DataArray | xr.Dataset) -> Affine:
-    if "spatial_ref" in data.coords and "GeoTransform" in data.coords["spatial_ref"].attrs:
-        numbers = data.coords["spatial_ref"].attrs["GeoTransform"].split()
-        stored = Affine.from_gdal(*(float(v) for v in numbers))
+def with_y_and_x(data: xr.DataArray) -> xr.DataArray:
+    """Return an array with dimensions (..., y, x), north-up, whatever the file that it comes from calls them.
+
+    Parameters
+    ----------
+    data
+        Dimensions such as (lat, lon), (northing, easting), or any whose coordinates say which they are (CF `axis`,
+        `standard_name`, degrees north and east). Latitudes and longitudes without a CRS are taken as of WGS 84.
+
+    Returns
+    -------
+    xarray.DataArray
+        As it was if its dimensions are not known.
+    """
+    found = {_axis_of(data, dim): dim for dim in data.dims}
+    if not {"y", "x"} <= set(found):
+        return data
+    names = {found[axis]: axis for axis in ("y", "x")}
+    degrees = all(_is_degrees(data, dim) for dim in names)
+    result = data.rename({dim: axis for dim, axis in names.items() if dim != axis}).transpose(..., "y", "x")
+    for axis, sign in (("y", -1), ("x", 1)):
+        if axis in result.coords and result.sizes[axis] > 1 and sign * float(result[axis][-1] - result[axis][0]) < 0:
+            result = result.isel({axis: slice(None, None, -1)})
+    if degrees and _mapped_crs(_grid_mapping(result)) is None:
+        import xarray as xr
+
+        result = result.assign_coords(spatial_ref=xr.Variable((), 0, {"crs_wkt": parse_crs("EPSG:4326").to_wkt()}))
+    return result
+
+
+#: What files call the axes, in lower case.
+_AXES = {
+    "y": {"y", "lat", "latitude", "northing", "northings"},
+    "x": {"x", "lon", "long", "longitude", "easting", "eastings"},
+}
+_STANDARD = {
+    "y": {"latitude", "projection_y_coordinate", "grid_latitude"},
+    "x": {"longitude", "projection_x_coordinate", "grid_longitude"},
+}
+_DEGREES = {"latitude", "longitude", "lat", "lon", "long"}
+
+
+def _axis_of(data: xr.DataArray, dim: Any) -> str:
+    """Whether a dimension is "y" or "x"; else its own name."""
+    told = data.coords[dim].attrs if dim in data.coords else {}
+    for axis in ("y", "x"):
+        if str(told.get("axis", "")).lower() == axis or str(told.get("standard_name", "")).lower() in _STANDARD[axis]:
+            return axis
+        if str(dim).lower() in _AXES[axis]:
+            return axis
+    return str(dim)
+
+
+def _is_degrees(data: xr.DataArray, dim: Any) -> bool:
+    told = data.coords[dim].attrs if dim in data.coords else {}
+    words = {str(dim).lower(), str(told.get("standard_name", "")).lower()}
+    return bool(words & _DEGREES) or str(told.get("units", "")).lower() in ("degrees_north", "degrees_east")
+
+
+def _grid_mapping(data: Any) -> dict[str, Any]:
+    """Attributes of the variable that holds the CRS, by the name that the data give or by what it holds."""
+    variables = {**(data.variables if hasattr(data, "data_vars") else {}), **data.coords}
+    named = [data.attrs.get("grid_mapping"), getattr(data, "encoding", {}).get("grid_mapping"), "spatial_ref"]
+    names = [str(name).partition(":")[0].strip() for name in named if name]
+    names += [name for name, variable in variables.items() if not variable.dims]
+    for name in names:
+        attrs = dict(variables[name].attrs) if name in variables else {}
+        if any(attrs.get(key) for key in ("crs_wkt", "spatial_ref", "grid_mapping_name")):
+            return attrs
+    return {}
+
+
+def _mapped_crs(told: dict[str, Any]) -> CRS | None:
+    """CRS of a grid mapping: its text, else the CF attributes."""
+    if text := told.get("crs_wkt") or told.get("spatial_ref"):
+        return parse_crs(text)
+    if not told.get("grid_mapping_name"):
+        return None
+    from pyproj import CRS
+    from pyproj.exceptions import CRSError as ProjError
+
+    try:
+        return CRS.from_cf(told)
+    except (ProjError, KeyError, ValueError) as error:
+        raise CRSError(
+            f"cannot read the grid mapping {told['grid_mapping_name']!r} ({error}); set the CRS, e.g. "
+            'data.rio.write_crs("EPSG:32635")'
+        ) from error
+
+
+def _transform_from_centres(x: np.ndarray, y: np.ndarray, told: dict[str, Any]) -> Affine:
+    if "GeoTransform" in told:
+        stored = Affine.from_gdal(*(float(v) for v in str(told["GeoTransform"]).split()))
         # A selection or a coarsening leaves the stored transform behind; then the coordinates count.
         same = Grid((y.size, x.size), stored)
         off_x, off_y = np.abs(x - same.x).max(), np.abs(y - same.y).max()

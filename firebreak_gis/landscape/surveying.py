@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,9 +19,12 @@ from firebreak_gis.landscape.legends import Legend, read_legend
 from firebreak_gis.landscape.legends.burning import BURNING
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.resampling import BLOCK
-from firebreak_gis.landscape.target_grid import Account, choose_grid
+from firebreak_gis.landscape.target_grid import Account, choose_grid, grid_like
 from firebreak_gis.rasters import Header, header_of_array, read_header, with_crs
 from firebreak_gis.schema import DENSITY
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 #: The legends where nothing else is said (as `LandscapeRequest` has them), and for the canopy cover of a landscape
 #: file.
@@ -85,7 +88,7 @@ def survey(request: LandscapeRequest) -> Survey:
     sources = {"elevation": request.dem, "vegetation": vegetation}
     if density is not None and word is None:
         sources["density"] = density
-    layers = _headers(sources, request.src_crs, request.src_nodata, band, request.remote)
+    layers = _headers(sources, request, band)
     grid = choose_grid(
         layers,
         account,
@@ -126,13 +129,8 @@ def _legends(legend: Any, density_legend: Any, density: Any) -> tuple[Legend, Le
     return table, density_table
 
 
-def _headers(
-    sources: Mapping[str, Any],
-    src_crs: Mapping[str, Any],
-    src_nodata: Mapping[str, Any],
-    band: Mapping[str, int],
-    remote: bool,
-) -> dict[str, Header]:
+def _headers(sources: Mapping[str, Any], request: LandscapeRequest, band: Mapping[str, int]) -> dict[str, Header]:
+    src_crs, src_nodata, remote = request.src_crs, request.src_nodata, request.remote
     public = {"dem": "elevation", "elevation": "elevation", "vegetation": "vegetation", "density": "density"}
     for word, mapping in (("src_crs", src_crs), ("src_nodata", src_nodata), ("band", band)):
         wrong = set(mapping) - set(public)
@@ -146,7 +144,8 @@ def _headers(
         if isinstance(source, str | os.PathLike):
             headers[name] = read_header(source, band=bands.get(name), src_nodata=nodata.get(name), remote=remote)
         else:
-            headers[name] = header_of_array(source, src_nodata=nodata.get(name))
+            placed = _placed(source, name, headers, request.like) if isinstance(source, np.ndarray) else source
+            headers[name] = header_of_array(placed, src_nodata=nodata.get(name))
         if name in assigned:
             headers[name] = with_crs(headers[name], assigned[name])
     if headers["elevation"].palette:
@@ -154,6 +153,20 @@ def _headers(
             f"{headers['elevation'].path} has a colour table: it is a map of classes or a picture, not elevations"
         )
     return headers
+
+
+def _placed(values: np.ndarray, name: str, headers: Mapping[str, Header], like: Any) -> xr.DataArray:
+    """Lay a plain array where `like` lies, else where the elevation does."""
+    if like is not None:
+        grid = grid_like(like)
+    elif "elevation" in headers and headers["elevation"].north_up:
+        grid = headers["elevation"].grid
+    else:
+        raise InputError(
+            f"{name} is a plain array, which does not say where it lies; give a DataArray with coordinates and CRS, or "
+            "the grid that it lies on (like=)"
+        )
+    return grid.dataarray(values, name)
 
 
 def _of_file(

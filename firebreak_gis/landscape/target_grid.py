@@ -106,7 +106,7 @@ def choose_grid(
     if like is not None:
         if any(wish is not None for wish in (crs, resolution, bounds)):
             raise ParameterError("like gives the whole grid; leave out crs, resolution and bounds")
-        grid = _grid_like(like)
+        grid = grid_like(like)
         _common_box(layers, grid.crs, account)
         account.alignment.append(f"grid: taken as given, {grid.describe()}")
         return grid
@@ -161,7 +161,8 @@ def _check_wishes(resolution: float | None, bounds: Box | None) -> None:
             raise ParameterError(f"the bounds {bounds} are empty, expected left < right and bottom < top")
 
 
-def _grid_like(like: Any) -> Grid:
+def grid_like(like: Any) -> Grid:
+    """Return the grid of a `Grid`, an array or a raster file, if work can be done on it."""
     if isinstance(like, Grid):
         grid = like
     elif isinstance(like, str | os.PathLike):

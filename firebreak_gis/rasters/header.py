@@ -12,7 +12,7 @@ import numpy as np
 from affine import Affine
 
 from firebreak_gis.errors import CRSError, GridError, InputError
-from firebreak_gis.grid import Grid, parse_crs
+from firebreak_gis.grid import Grid, parse_crs, with_y_and_x
 from firebreak_gis.projections import ASSIGNING, horizontal, require_plausible, vertical_factor
 from firebreak_gis.rasters.naming import banded, short_name
 from firebreak_gis.rasters.opening import open_raster
@@ -168,13 +168,17 @@ def read_header(
 
 
 def header_of_array(data: xr.DataArray, *, src_nodata: float | Sequence[float] | None = None) -> Header:
-    """Return the header of an array in memory, with CRS as rioxarray keeps it.
+    """Return the header of an array in memory, with its CRS in a CF grid mapping, as rioxarray keeps it.
+
+    Its dimensions may be called otherwise than (y, x), see `grid.with_y_and_x`.
 
     Raises
     ------
     InputError
         If it has more than one band or no real numbers.
     """
+    named = data
+    data = with_y_and_x(named)
     extra = [dim for dim in data.dims if dim not in ("y", "x")]
     name = f"the array {data.name!r}" if data.name else "the array"
     if any(data.sizes[dim] != 1 for dim in extra):
@@ -186,6 +190,8 @@ def header_of_array(data: xr.DataArray, *, src_nodata: float | Sequence[float] |
     told = [data.attrs.get("_FillValue"), data.encoding.get("_FillValue")]
     nodata = [v for v in told if v is not None][:1] if src_nodata is None else _as_tuple(src_nodata)
     usable, notes = usable_nodata([float(v) for v in nodata], str(flat.dtype))
+    if grid.crs is not None and Grid.crs_told(named) is None:
+        notes = (*notes, "its latitudes and longitudes were taken as of WGS 84, since it tells no CRS")
     return Header(
         path=name,
         band=1,
