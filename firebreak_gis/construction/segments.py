@@ -10,6 +10,7 @@ import numpy as np
 from firebreak_gis.construction.centrelines import Borders, draw_lines, find_borders
 from firebreak_gis.construction.compartments import Compartments, outlines, split, weights
 from firebreak_gis.construction.sequence import building_order, gains
+from firebreak_gis.kernels.terrain import horn_slope
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def segments(
       once all of them stand;
     * `length_m`, `width_m` (mean: area / length): NaN for segments without a line;
     * `cells`, `area_ha`;
-    * `mean_slope_deg`: of the terrain at the cells, NaN without elevation;
+    * `mean_slope_deg`: of the terrain at the cells by Horn's weights, NaN without elevation;
     * `cost`;
     * `compartment_a`, `compartment_b`: numbers as in `compartments`, a < b; both 0 for pieces that separate nothing;
     * `gain`: drop of the expected loss when the segment is built at its turn, in the unit of value, by the model of
@@ -231,16 +232,10 @@ def _settle(pieces: _Pieces, stages: list[list[int]]) -> tuple[np.ndarray, np.nd
 
 
 def _slope(network: SpreadNetwork, elevation: Plane | None) -> np.ndarray:
-    """Slope of the terrain from central differences [degrees], (rows, cols); NaN where unknown."""
+    """Slope of the terrain by Horn [degrees], (rows, cols); NaN where unknown."""
     if elevation is None:
         return np.full(network.shape, np.nan)
-    height = network.plane(elevation, "elevation").astype(np.float64)
-    steps = [
-        np.gradient(height, network.grid.cell_size, axis=axis) if height.shape[axis] > 1 else np.zeros_like(height)
-        for axis in (0, 1)
-    ]
-    slope: np.ndarray = np.degrees(np.arctan(np.hypot(steps[0], steps[1])))
-    return slope
+    return horn_slope(network.plane(elevation, "elevation").astype(np.float64), network.grid.cell_size)
 
 
 def _columns(

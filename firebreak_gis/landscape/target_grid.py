@@ -283,6 +283,8 @@ def _snap(layers: Mapping[str, Header], target: CRS, cell: float, box: Box, boun
         first_row = max(first_row, math.floor((y0 - bounds[3]) / cell + slack))
         last_row = min(last_row, math.ceil((y0 - bounds[1]) / cell - slack))
     rows, cols = last_row - first_row, last_col - first_col
+    if bounds is not None and (rows <= 0 or cols <= 0):
+        _refuse_bounds(bounds, box, target)
     if rows < LEAST_CELLS or cols < LEAST_CELLS:
         told = f"x {box[0]:.6g} to {box[2]:.6g}, y {box[1]:.6g} to {box[3]:.6g}"
         raise GridError(
@@ -292,6 +294,25 @@ def _snap(layers: Mapping[str, Header], target: CRS, cell: float, box: Box, boun
             f"take finer cells or a larger extent"
         )
     return Grid((rows, cols), Affine(cell, 0.0, x0 + first_col * cell, 0.0, -cell, y0 - first_row * cell), target)
+
+
+def _refuse_bounds(bounds: Box, box: Box, target: CRS) -> None:
+    """Say that bounds lie beside the layers, and whether they look like degrees."""
+    told = f"x {box[0]:.6g} to {box[2]:.6g}, y {box[1]:.6g} to {box[3]:.6g} in {crs_name(target)}"
+    left, bottom, right, top = bounds
+    if max(abs(left), abs(right)) <= 360 and max(abs(bottom), abs(top)) <= 90:
+        x, y = transform(
+            parse_crs("EPSG:4326"), target, *outline(Affine(right - left, 0, left, 0, bottom - top, top), (1, 1))
+        )
+        if np.isfinite(x).all() and np.isfinite(y).all():
+            inside = f"{x.min():.0f} {y.min():.0f} {x.max():.0f} {y.max():.0f}"
+            raise ParameterError(
+                f"the bounds {left:g} {bottom:g} {right:g} {top:g} look like degrees, expected coordinates in "
+                f"{crs_name(target)}: there they are {inside} (the layers cover {told})"
+            )
+    raise GridError(
+        f"the bounds {left:.6g} {bottom:.6g} {right:.6g} {top:.6g} lie beside the extent that all layers cover ({told})"
+    )
 
 
 def _anchor(layers: Mapping[str, Header], target: CRS, cell: float) -> tuple[float, float]:

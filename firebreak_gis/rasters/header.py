@@ -277,7 +277,7 @@ def _choose_band(source: Any, name: str, band: int | None) -> int:
         return data[0]
     if {"red", "green", "blue"} <= set(colours) or {"cyan", "magenta", "yellow"} <= set(colours):
         raise InputError(f"{name} is a colour picture of a map, not a map of values; use the raster it was drawn from")
-    raise InputError(f"{name} has {source.count} bands; choose one (--bidx, band=), or by its number: {name}:1")
+    raise InputError(f"{name} has {source.count} bands; choose one by its number: {name}:1 (or --bidx, band=)")
 
 
 def _crs_of(source: Any) -> tuple[CRS | None, CRS | None]:

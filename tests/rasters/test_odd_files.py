@@ -49,7 +49,7 @@ FRACTIONS = Refused(InputError, "holds fractions such as")
 UNLISTED = Refused(LegendError, "does not list", named=False)
 COLOURS = Refused(InputError, "has a colour table")
 SEVERAL = Refused(InputError, "holds several rasters, choose one by its full name")
-BANDS = Refused(InputError, "bands; choose one (--bidx")
+BANDS = Refused(InputError, "bands; choose one by its number")
 TOO_FEW = Refused(GridError, "only 2 x 2 cells", named=False)
 TOO_WIDE = Refused(CRSError, "spans 350 degrees of longitude", named=False)
 
