@@ -165,8 +165,8 @@ class SpreadNetwork:
         breaks
             (rows, cols), true where the fuel is cut.
         residual
-            Share of its probability that an edge INTO a treated cell keeps; 0 is a perfect break, which also
-            stops edges out of the cell (an ignition there burns nothing).
+            Share of its probability that an edge INTO a treated cell keeps (a fuel break); 0 is a perfect break, which
+            also stops edges out of the cell (an ignition there burns nothing).
 
         Returns
         -------

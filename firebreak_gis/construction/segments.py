@@ -9,7 +9,7 @@ import numpy as np
 
 from firebreak_gis.construction.centrelines import Borders, draw_lines, find_borders
 from firebreak_gis.construction.compartments import Compartments, outlines, split, weights
-from firebreak_gis.construction.sequence import building_order, gains
+from firebreak_gis.construction.sequence import construction_order, gains
 from firebreak_gis.kernels.terrain import horn_slope
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 
@@ -70,7 +70,7 @@ def segments(
     -----
     Both have the columns
 
-    * `order`: place in the order of building, from 1, see `firebreak_gis.construction.sequence.building_order`;
+    * `order`: place in the order of construction, from 1, see `firebreak_gis.construction.sequence.construction_order`;
     * `stage`: segments of one stage lie between the same two compartments of what is built by then, and work only
       once all of them stand;
     * `length_m`, `width_m` (mean: area / length): NaN for segments without a line;
@@ -93,7 +93,7 @@ def segments(
     price = weights(network, cost, "cost")
     pieces = _find_pieces(network, parts, borders, cut)
     score = _mean_score(network, priority, pieces)
-    stages = building_order(
+    stages = construction_order(
         pieces.sides,
         cost=pieces.total(price),
         ignition=pieces.total(parts.ignition),
@@ -213,7 +213,7 @@ def _settle(pieces: _Pieces, stages: list[list[int]]) -> tuple[np.ndarray, np.nd
     owner
         (cells,) segment of each cell, -1 for cells that are not cut.
     position
-        (n,) place of each segment in the order of building, also of those that are not built.
+        (n,) place of each segment in the order of construction, also of those that are not built.
     order
         Segments that are built, in that order.
     stage

@@ -26,7 +26,7 @@ class _Groups:
         self.members = [self.members[i] for i in np.flatnonzero(kept)]
 
 
-def building_order(
+def construction_order(
     pair: np.ndarray,
     *,
     cost: np.ndarray,
@@ -39,7 +39,7 @@ def building_order(
     """Order segments by what they save for their cost.
 
     From the complete plan, the border whose absence loses least for its cost is taken away, again and again; the
-    reverse is the order of building. All segments between the same two compartments are one border, since one gap
+    reverse is the order of construction. All segments between the same two compartments are one border, since one gap
     joins them. Segments that separate nothing come last. Costs of less than a billionth of the mean count as that.
 
     Parameters
@@ -57,7 +57,7 @@ def building_order(
     Returns
     -------
     list of list of int
-        Borders in order of building, each with its segments.
+        Borders in order of construction, each with its segments.
 
     Notes
     -----
@@ -144,7 +144,7 @@ def gains(
     Parameters
     ----------
     position
-        (n,) place of each segment in the order of building, from 0.
+        (n,) place of each segment in the order of construction, from 0.
     owner
         (cells,) segment of each cut cell, -1 for others.
     labels

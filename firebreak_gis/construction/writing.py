@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     import geopandas as gpd
 
-#: From the first stage of building to the last, and from the least expected loss to the largest.
+#: From the first stage of construction to the last, and from the least expected loss to the largest.
 STAGE_COLOURS = ("#67001f", "#d6604d", "#f4a582", "#4393c3", "#2166ac")
 LOSS_COLOURS = ("#ffffcc99", "#fecc5c99", "#e31a1c99")
 

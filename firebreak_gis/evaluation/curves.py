@@ -56,7 +56,7 @@ def evaluate(
     ignitions, ignition_mode, n_runs, seed, threads, progress
         As in `simulate`.
     test, alpha
-        See `compare`; significance threshold.
+        See `tell_apart`; significance threshold.
 
     Returns
     -------
@@ -185,7 +185,7 @@ def summarise(
     baseline
         Method that the others are tested against.
     test, alpha
-        See `compare`; significance threshold.
+        See `tell_apart`; significance threshold.
 
     Returns
     -------
@@ -208,7 +208,7 @@ def summarise(
     for i, name in enumerate(names):
         if name != baseline:
             for k in range(burnt.shape[2]):
-                p_value[i, k], effect[i, k] = compare(shares[name][:, k], shares[baseline][:, k], test=test)
+                p_value[i, k], effect[i, k] = tell_apart(shares[name][:, k], shares[baseline][:, k], test=test)
     by_budget = ("ranking", "budget")
     return xr.Dataset(
         {
@@ -236,7 +236,7 @@ def _require_test(test: str) -> None:
         raise ParameterError(f"test is {test!r}, expected one of {', '.join(typing.get_args(Test))}")
 
 
-def compare(burnt: np.ndarray, baseline: np.ndarray, *, test: Test = "wilcoxon") -> tuple[float, float]:
+def tell_apart(burnt: np.ndarray, baseline: np.ndarray, *, test: Test = "wilcoxon") -> tuple[float, float]:
     """Test whether two samples of fires differ.
 
     Parameters

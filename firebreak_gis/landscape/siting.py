@@ -123,8 +123,8 @@ def suitability(
     >>> import numpy as np
     >>> height = 100 - np.abs(np.arange(41) - 20.0) * 5 + np.zeros((31, 1))
     >>> found, _ = suitability(height, 20.0, burnable=np.ones(height.shape, bool))
-    >>> int(found[15].argmax())
-    20
+    >>> np.flatnonzero(found[15] == found[15].max())
+    array([19, 20, 21])
     """
     chosen = siting or Siting()
     planes: dict[str, tuple[float, np.ndarray]] = {}

@@ -316,7 +316,7 @@ def along(cells: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
 
 
 def sequence(saved: Sequence[float], cost: Sequence[float], parent: Sequence[int]) -> list[int]:
-    """Order of building walls, parents first, that saves most at every budget.
+    """Order of constructing walls, parents first, that saves most at every budget.
 
     Walls are joined with those that they make possible as long as that raises what the group saves for its cost, and
     groups are built by falling ratio; no order that respects the tree saves more at the end of any group.

@@ -7,7 +7,7 @@ A method file holds a frozen dataclass `Params` and
 and needs no registration: its file name is its name. `stakes` holds costs, protected cells, values at risk and
 where fires start; a method uses what it can. Cells without fuel and protected cells get -inf here, whatever the
 method returned for them. A method whose result depends on how ties between equally good plans are broken says so
-by `UNIQUE = False`. `rank` below is the only way in.
+by `UNIQUE = False`. `rank` below is the only way in. What is done here, network science calls dismantling.
 """
 
 from __future__ import annotations

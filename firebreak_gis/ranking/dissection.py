@@ -1,5 +1,7 @@
 """Nested minimum cuts: walls between compartments, those that save most for their cost first.
 
+What network science calls dismantling by nested dissection: small separators first cut the whole, then its parts.
+
 Each compartment is split by the exact minimum vertex cut between opposite ends, in several directions, that saves
 the largest expected loss for its cost; the pieces are split in turn. Costs are the capacities, protected cells are
 never in a wall, cells without fuel are free, and ignitions and values at risk set what a wall saves. Walls stop
@@ -13,7 +15,7 @@ those of large compartments first.
 Cost: about n ** 1.35; on two cores 2 s for 43,000 and 8 s for 172,000 cells. Memory about 400 B a cell, and 60 B
 a cell and thread.
 Source: vertex cuts by flow between the ends of the map, Schild, Sommer 2015, doi 10.1007/978-3-319-20086-6_22;
-warm starts, Hamann, Strasser 2018, doi 10.1145/3173045; order of building, Horn 1972, doi 10.1137/0123021.
+warm starts, Hamann, Strasser 2018, doi 10.1145/3173045; order of construction, Horn 1972, doi 10.1137/0123021.
 """
 
 from __future__ import annotations

@@ -1,5 +1,7 @@
 """Monte-Carlo fires on a spread network, with and without breaks.
 
+The share of the runs in which a cell burns is its burn probability, given one fire.
+
 Every edge is tried once a run with a draw keyed by (seed, run, edge). The same run therefore meets the same
 open edges with and without breaks, and neither the number of threads nor the order of runs changes a result.
 """

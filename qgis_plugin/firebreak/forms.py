@@ -99,7 +99,7 @@ FORMS = (
         ("OUTPUT_SEGMENTS", "OUTPUT_COMPARTMENTS"),
         {
             "segments": "Segments",
-            "stages": "Stages of building",
+            "stages": "Stages of construction",
             "km": "Length in kilometres",
             "compartments": "Compartments",
         },

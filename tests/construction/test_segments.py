@@ -15,7 +15,7 @@ from firebreak_gis.breaks import select_breaks
 from firebreak_gis.construction.centrelines import find_borders
 from firebreak_gis.construction.compartments import compartments
 from firebreak_gis.construction.segments import segments
-from firebreak_gis.construction.sequence import building_order
+from firebreak_gis.construction.sequence import construction_order
 from firebreak_gis.errors import GridError, InputError
 from firebreak_gis.grid import Grid
 from firebreak_gis.network import SpreadNetwork
@@ -340,7 +340,7 @@ def test_order_is_that_of_the_twin(seed):
     n_parts, n = 12, 30
     pair = np.sort([rng.choice(n_parts, 2, replace=False) + 1 for _ in range(n)], axis=1)
     cost, own, mass = rng.random(n), rng.random((2, n)) / 50, rng.random((2, n_parts))
-    stages = building_order(
+    stages = construction_order(
         pair,
         cost=cost,
         ignition=own[0],

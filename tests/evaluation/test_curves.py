@@ -8,7 +8,7 @@ from scipy import stats
 
 from firebreak_gis import SpreadNetwork, evaluate, rank, select_breaks, simulate
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.evaluation.curves import better_range, compare, summarise, table
+from firebreak_gis.evaluation.curves import better_range, summarise, table, tell_apart
 from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.planning.comparison import compare_plans, comparison_table
 from firebreak_gis.simulation.request import FireRequest
@@ -44,26 +44,26 @@ def test_figures_are_those_of_numpy_and_scipy():
 def test_tests_on_equal_and_on_different_samples():
     rng = np.random.default_rng(1)
     x = rng.random(50)
-    assert compare(x, x) == (1.0, 0.0)
-    assert compare(x, x, test="t") == (1.0, 0.0)
-    p, effect = compare(x - 0.5, x)
+    assert tell_apart(x, x) == (1.0, 0.0)
+    assert tell_apart(x, x, test="t") == (1.0, 0.0)
+    p, effect = tell_apart(x - 0.5, x)
     assert p < 1e-6
     assert effect == -1.0
-    assert compare(x + 0.5, x)[1] == 1.0
+    assert tell_apart(x + 0.5, x)[1] == 1.0
     y = rng.random(50)
-    p, effect = compare(x, y, test="ranksum")
+    p, effect = tell_apart(x, y, test="ranksum")
     assert p == pytest.approx(stats.mannwhitneyu(x, y).pvalue)
     assert effect == pytest.approx(np.mean(np.sign(x[:, None] - y[None])))
-    assert compare(x, y, test="t")[0] == pytest.approx(stats.ttest_rel(x, y).pvalue)
+    assert tell_apart(x, y, test="t")[0] == pytest.approx(stats.ttest_rel(x, y).pvalue)
     with pytest.raises(ParameterError):
-        compare(x, y, test="sign")
+        tell_apart(x, y, test="sign")
 
 
 def test_mostly_equal_runs_give_a_number():
     x = np.zeros(30)
     y = x.copy()
     y[4] = 1.0
-    p, effect = compare(x, y)
+    p, effect = tell_apart(x, y)
     assert 0 < p <= 1
     assert -1 <= effect < 0
 
@@ -166,7 +166,7 @@ def test_fires_that_do_not_differ_are_ranked_by_pratts_method(seed):
     other = burnt + np.where(rng.random(60) < 0.5, 0.0, rng.integers(-6, 9, 60) / 30.0)
     difference = np.round(burnt - other, 9)
     assert 10 < np.count_nonzero(difference == 0) < 50
-    p, _ = compare(difference, np.zeros(60))
+    p, _ = tell_apart(difference, np.zeros(60))
     assert p == pytest.approx(signed_rank_by_pratt(difference.tolist()), rel=1e-9)
     for method in ("wilcox", "zsplit"):
         assert p != pytest.approx(stats.wilcoxon(difference, zero_method=method, method="approx").pvalue, rel=1e-3)

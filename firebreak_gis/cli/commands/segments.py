@@ -53,7 +53,7 @@ def command(
 ) -> None:
     """Take BREAKS on NETWORK apart into segments to build, best first.
 
-    Each segment separates two compartments of fuel, and has an order of building, a length, width, area, mean slope
+    Each segment separates two compartments of fuel, and has an order of construction, a length, width, area, mean slope
     and cost, and the share of all that the breaks save that it adds.
     """
     from firebreak_gis.construction.compartments import compartments

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import geopandas as gpd
     import pandas as pd
 
-#: Colours of stages of building, first to last, told apart on light and dark ground.
+#: Colours of stages of construction, first to last, told apart on light and dark ground.
 _STAGE_COLOURS = ("#7a0177", "#c51b8a", "#f768a1", "#2c7fb8", "#1f4fd8")
 _UNIT_NAMES = {"ha": "hectares", "share": "of the fuel", "cost": "money"}
 
