@@ -96,6 +96,10 @@ def _input(path: str | os.PathLike[str]) -> dict[str, Any]:
     return entry
 
 
+#: What a configuration says of itself that any command takes: `for = "every command"`.
+SHARED = "every command"
+
+
 def read_config(path: str | os.PathLike[str]) -> dict[str, Any]:
     """Read parameters from a TOML file, or from a JSON file such as a `run.json`.
 
@@ -104,6 +108,19 @@ def read_config(path: str | os.PathLike[str]) -> dict[str, Any]:
     ParameterError
         If the file cannot be read or holds no parameters.
     """
+    document = _read_document(path)
+    parameters = document.get("parameters", document)
+    if not isinstance(parameters, dict):
+        raise ParameterError(f"'parameters' in {path} is not a table")
+    return parameters
+
+
+def is_shared_config(path: str | os.PathLike[str]) -> bool:
+    """Whether a configuration is meant for every command, each of which takes what it knows (as `calibrate` writes)."""
+    return _read_document(path).get("for") == SHARED
+
+
+def _read_document(path: str | os.PathLike[str]) -> dict[str, Any]:
     import tomllib
 
     source = Path(path)
@@ -114,10 +131,7 @@ def read_config(path: str | os.PathLike[str]) -> dict[str, Any]:
         raise ParameterError(f"cannot read the configuration {source}: {error}") from error
     if not isinstance(document, dict):
         raise ParameterError(f"the configuration {source} holds no table of parameters")
-    parameters = document.get("parameters", document)
-    if not isinstance(parameters, dict):
-        raise ParameterError(f"'parameters' in {source} is not a table")
-    return parameters
+    return document
 
 
 def plain(value: Any) -> Any:

@@ -67,7 +67,7 @@ class Whole(click.types.IntParamType):
 
 
 class NewFile(click.Path):
-    """A file that the command writes; `name` is `new-raster`, `new-vector` or `new-table`."""
+    """A file that the command writes; `name` is `new-raster`, `new-vector`, `new-table` or `new-config`."""
 
     def __init__(self, name: str) -> None:
         super().__init__(dir_okay=False)
@@ -108,6 +108,8 @@ RANKING = Kind("choice", lambda: plugins.names("ranking"))
 RANKINGS = Kind("choices", lambda: plugins.names("ranking"), parsing.methods_list)
 SPREAD = Kind("choice", lambda: plugins.names("spread"))
 NUMBERS = Kind("text", read=parsing.number_list)
+WORDS = Kind("text", read=parsing.word_list)
+VECTOR_OR_TABLE = Kind("vector|file")
 SIZE = Kind("text", read=parsing.byte_size)
 SEED = Whole(0)
 COUNT = Whole(1)
@@ -118,3 +120,4 @@ LAYER_BAND = _from_words(parsing.layer_band)
 NEW_RASTER = NewFile("new-raster")
 NEW_TABLE = NewFile("new-table")
 NEW_VECTOR = NewFile("new-vector")
+NEW_CONFIG = NewFile("new-config")

@@ -12,7 +12,7 @@ import click
 from firebreak_gis.cli import kinds
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, ParameterError
-from firebreak_gis.manifest import read_config
+from firebreak_gis.manifest import is_shared_config, read_config
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -28,7 +28,9 @@ def _load_config(ctx: click.Context, _: click.Parameter, path: str | None) -> st
         }
         known = {p.name for p in ctx.command.params}
         strangers = sorted(set(given) - known)
-        if strangers:
+        if is_shared_config(path):
+            given = {key: value for key, value in given.items() if key in known}
+        elif strangers:
             raise ParameterError(
                 f"{path} has parameters that {ctx.command.name} does not know: {', '.join(strangers)}; "
                 f"it knows {', '.join(sorted(str(k) for k in known))}"

@@ -68,6 +68,20 @@ def number_list(text: Any, option: str) -> list[float]:
     return numbers
 
 
+def word_list(text: Any, option: str) -> list[str]:
+    """Split "rate,duration" into different words.
+
+    Raises
+    ------
+    ParameterError
+        If there is none.
+    """
+    words = list(dict.fromkeys(word.strip() for word in str(text).split(",") if word.strip()))
+    if not words:
+        raise ParameterError(f"{option} got {text!r}, expected words separated by commas")
+    return words
+
+
 def require_least(number: int, least: int, name: str) -> None:
     """Refuse a whole number that is too small."""
     if number < least:

@@ -41,9 +41,9 @@ class Forecast(NamedTuple):
     arrival
         (rows, cols) median hours until fire arrives, over the runs in which it does; nan where it never does.
     hours
-        (n_times,) hours, rising; the last is the longest duration of a run.
+        (n_times,) hours, rising.
     sizes
-        (n_runs, n_times) cells burnt by then if no run ended before, not falling.
+        (n_runs, n_times) cells burnt by then if no run ends before, not falling.
     burnt
         (n_runs,) cells burnt when the run ended.
     """

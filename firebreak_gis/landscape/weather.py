@@ -133,10 +133,21 @@ class SpreadRequest:
         Raises
         ------
         ParameterError
-            If a wind, or a moisture that the ensemble tells, is given besides; or as `spread.weather_networks`.
+            As `params_beside`, or `spread.weather_networks`.
         """
         from firebreak_gis.spread import weather_networks
 
+        rest = self.params_beside(landscape, weather)
+        return weather_networks(landscape, weather, model=self.model, clock=self.clock, keep=keep, **rest)
+
+    def params_beside(self, landscape: xr.Dataset, weather: Weather) -> dict[str, Any]:
+        """Parameters of the spread model without those that an ensemble of weathers tells, and without `clock`.
+
+        Raises
+        ------
+        ParameterError
+            If a wind, or a moisture that the ensemble tells, is given besides.
+        """
         told = {"wind_speed", "wind_from"}
         if any(step.moisture is not None for spell in weather.spells for step in spell.steps):
             told.add("moisture")
@@ -146,8 +157,7 @@ class SpreadRequest:
             flags = ", ".join(f"--{name.replace('_', '-')}" for name in twice)
             raise ParameterError(f"the weather tells what {flags} gives besides; leave {flags} out")
         params = self.params(landscape)
-        rest = {k: v for k, v in params.items() if k != "clock" and k not in {WEATHER[name] for name in told}}
-        return weather_networks(landscape, weather, model=self.model, clock=self.clock, keep=keep, **rest)
+        return {k: v for k, v in params.items() if k != "clock" and k not in {WEATHER[name] for name in told}}
 
     def _known(self) -> set[str]:
         return {f.name for f in fields(plugins.load("spread", self.model).Params)}

@@ -32,7 +32,7 @@ def command_arguments(
     values
         By field name; None or "" where nothing was given.
     extra
-        More options (flag to value) and arguments (key "" only once).
+        More options (flag to value), and an argument that comes before all others (key "").
 
     Raises
     ------
@@ -68,7 +68,10 @@ def command_arguments(
         else:
             options += [field.flag, _word(value)]
     for flag, value in extra.items():
-        (positional if not flag else options).extend([value] if not flag else [flag, value])
+        if flag:
+            options += [flag, value]
+        else:
+            positional.insert(0, value)
     return [command, *options, "--", *positional]
 
 

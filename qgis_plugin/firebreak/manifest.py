@@ -14,7 +14,7 @@ from functools import lru_cache
 from pathlib import Path, PurePath
 from typing import Any
 
-from . import forms
+from . import forms, labels
 
 FILE = Path(__file__).with_name("manifest.json")
 
@@ -180,17 +180,17 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
     for place, word in enumerate(kinds):
         kind = _kind(word)
         label = _label(option["name"])
-        low, high = forms.RANGES.get(option["name"], (None, None))
+        low, high = labels.RANGES.get(option["name"], (None, None))
         default = option.get("default") if place == 0 else None
         if place > 0:
-            label = f"{label}, as {_ARTICLES.get(kind, 'a ' + kind)}"
+            label = f"{label}, as {_TEXTS.get(option['name']) or _ARTICLES.get(kind, 'a ' + kind)}"
         if kind in ("number", "integer") and default is not None:
             default = float(default) if kind == "number" else int(default)
         yield Field(
-            _name(option["name"], kind, second=place > 0 or option["name"] in either),
+            _name(option["name"], kind, second=place > 0 or option["name"] in either or kinds == ["file", "text"]),
             kind,
             label,
-            _words_of_forms(option.get("help") or forms.HELP.get(option["name"], ""), form.name),
+            _words_of_forms(option.get("help") or labels.HELP.get(option["name"], ""), form.name),
             option["name"],
             (option.get("flags") or [""])[-1],
             required=bool(option.get("required")) and len(kinds) == 1,
@@ -204,6 +204,7 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
         )
 
 
+_TEXTS = {"weather": "a wind rose: rose:NW=5x0.4,N=8x0.2"}
 _ARTICLES = {"choice": "one class for all fuel", "file": "a CSV file", "text": "classes: agricultural=500,pines=1500"}
 
 
@@ -236,7 +237,7 @@ def _name(option: str, kind: str, *, second: bool = False) -> str:
 
 
 def _label(option: str) -> str:
-    return forms.LABELS.get(option) or option.replace("_", " ").capitalize()
+    return labels.LABELS.get(option) or option.replace("_", " ").capitalize()
 
 
 def _method_fields(option: dict[str, Any], document: dict[str, Any]) -> Iterator[Field]:

@@ -52,7 +52,7 @@ def test_imports_are_pyqgis_and_the_standard_library(path):
 def test_the_engine_part_needs_no_qgis():
     free = [
         *PLUGIN.glob("engine/*.py"),
-        *(PLUGIN / f"{n}.py" for n in ("forms", "manifest", "arguments", "results")),
+        *(PLUGIN / f"{n}.py" for n in ("forms", "labels", "manifest", "arguments", "results")),
     ]
     for path in free:
         assert "qgis" not in {
@@ -198,7 +198,7 @@ def test_groups():
         "Prepare": ["Align landscape", "Spread network"],
         "Plan": ["Rank cells", "Select fire breaks", "Segments to build", "Plan fire breaks"],
         "Fire": ["Burn frequency"],
-        "Judge": ["Evaluate", "Compare"],
+        "Judge": ["Evaluate", "Compare", "Validate against a scar", "Calibrate on observed fires"],
     }
 
 
