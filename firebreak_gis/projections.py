@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -123,6 +124,28 @@ def _transformer(source: CRS, target: CRS | None) -> Transformer:
         raise CRSError(
             f"there is no way from {crs_name(source)} to {other}; one of them is broken, assign the true one{ASSIGNING}"
         ) from error
+
+
+@functools.lru_cache(maxsize=64)
+def shift_unknown(source: CRS, target: CRS) -> bool:
+    """Whether no datum shift between two systems is known, so that places may lie up to some hundred metres off.
+
+    Systems on the ellipsoid of WGS 84 without a name for their datum are taken for WGS 84.
+    """
+    from pyproj.exceptions import ProjError
+    from pyproj.transformer import TransformerGroup
+
+    if source == target or all(
+        crs.ellipsoid is not None and crs.ellipsoid.name == "WGS 84" for crs in (source, target)
+    ):
+        return False
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # that better grids could be downloaded
+            ways = TransformerGroup(source, target, always_xy=True).transformers
+    except ProjError:
+        return False  # there is no way at all, which `transform` says
+    return bool(ways) and all("Ballpark" in way.description for way in ways)
 
 
 def suggest_utm(lon: np.ndarray, lat: np.ndarray) -> CRS:

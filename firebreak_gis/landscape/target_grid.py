@@ -17,6 +17,7 @@ from firebreak_gis.projections import (
     convergence,
     horizontal,
     outline,
+    shift_unknown,
     suggest_utm,
     to_lonlat,
     transform,
@@ -108,12 +109,14 @@ def choose_grid(
             raise ParameterError("like gives the whole grid; leave out crs, resolution and bounds")
         grid = grid_like(like)
         _common_box(layers, grid.crs, account)
+        _warn_of_shifts(layers, grid.crs, account)
         account.alignment.append(f"grid: taken as given, {grid.describe()}")
         return grid
     _check_wishes(resolution, bounds)
     centre = _common_centre(layers)
     target = _target_crs(layers["elevation"], crs, centre, account)
     box = _common_box(layers, target, account)
+    _warn_of_shifts(layers, target, account)
     cell = float(resolution) if resolution is not None else _default_cell(layers["elevation"], target, box, account)
     grid = _snap(layers, target, cell, box, bounds)
     account.alignment.append(
@@ -249,6 +252,18 @@ def _common_box(layers: Mapping[str, Header], target: CRS | None, account: Accou
     if share < 0.99:
         account.warn(f"the layers overlap only in part: {share:.0%} of the {smallest} layer is covered by all")
     return shared
+
+
+def _warn_of_shifts(layers: Mapping[str, Header], target: CRS | None, account: Account) -> None:
+    for name, header in layers.items():
+        assert header.crs is not None
+        assert target is not None
+        if shift_unknown(header.crs, target):
+            word = "dem" if name == "elevation" else name
+            account.warn(
+                f"{name}: no datum shift is known from its CRS {crs_name(header.crs)} to {crs_name(target)}, so it may "
+                f"lie up to some hundred metres off; give its true CRS (--src-crs {word}=EPSG:...)"
+            )
 
 
 def _intersection(boxes: list[Box]) -> Box | None:

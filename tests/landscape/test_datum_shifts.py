@@ -11,7 +11,7 @@ from shapely.geometry import box
 from firebreak_gis.grid import Grid, crs_name
 from firebreak_gis.landscape import read_landscape, read_landscape_folder, write_landscape
 from firebreak_gis.landscape.planes import mask_plane
-from firebreak_gis.projections import horizontal, to_lonlat, unsuitable
+from firebreak_gis.projections import horizontal, shift_unknown, to_lonlat, unsuitable
 from firebreak_gis.rasters import read_header, read_raster, read_variable, write_raster
 from firebreak_gis.vectors import write_vector
 from tests.places import relief, write
@@ -135,3 +135,32 @@ def test_a_file_that_cannot_keep_the_crs_is_refused(tmp_path, monkeypatch):
     monkeypatch.undo()
     write_raster(tmp_path / "e.tif", grid.dataarray(np.ones((3, 4), np.float32), "elevation"))
     assert Grid.of(read_variable(tmp_path / "e.tif", "elevation")).matches(grid)
+
+
+def test_an_unknown_shift_is_warned_of(tmp_path):
+    """GGRS87 without its name or its shift lies 290 m off, and nobody can know it from the file."""
+    there, utm, corner = SHIFTED["Greece"]
+    silent = there.replace("+towgs84=-199.87,74.79,246.62", "")
+    codes, transform, _ = halves(silent, utm, corner, n=40)
+    dem = write(tmp_path / "d.tif", relief(40, 40), crs=utm, transform=Affine(20, 0, corner[0], 0, -20, corner[1]))
+    vegetation = write(tmp_path / "v.tif", codes, crs=CRS(silent).to_wkt(), transform=transform)
+    told = read_landscape(dem, vegetation, "normal").attrs["warnings"]
+    assert any(line.startswith("vegetation: no datum shift is known") for line in told)
+    known = read_landscape(dem, vegetation, "normal", src_crs={"vegetation": there}).attrs["warnings"]
+    assert not any("datum shift" in line for line in known)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("EPSG:25830", "EPSG:32630"),
+        ("EPSG:2100", "EPSG:32634"),
+        ("EPSG:3035", "EPSG:32635"),
+        ("EPSG:5070", "EPSG:32611"),
+        ("EPSG:27700", "EPSG:32630"),
+        ("+proj=utm +zone=35 +ellps=WGS84", "EPSG:32635"),
+        (SHIFTED["Austria"][0], "EPSG:32633"),
+    ],
+)
+def test_shifts_that_are_known_are_not_warned_of(one, other):
+    assert not shift_unknown(CRS(one), CRS(other))

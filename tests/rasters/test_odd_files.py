@@ -49,6 +49,7 @@ FRACTIONS = Refused(InputError, "holds fractions such as")
 UNLISTED = Refused(LegendError, "does not list", named=False)
 COLOURS = Refused(InputError, "has a colour table")
 SEVERAL = Refused(InputError, "holds several rasters, choose one by its full name")
+ELSEWHERE = Refused(InputError, "which is no file")
 BANDS = Refused(InputError, "bands; choose one by its number")
 TOO_FEW = Refused(GridError, "only 2 x 2 cells", named=False)
 TOO_WIDE = Refused(CRSError, "spans 350 degrees of longitude", named=False)
@@ -85,13 +86,13 @@ ODD = {
     "odcgeo__au-3577-rotated.tif": of(Right(copied=False), FRACTIONS),
     "odcgeo__au-3577.tif": of(Right(), UNLISTED),
     "odcgeo__au-gcp.tif": Refused(GridError, "it only has ground control points: gdalwarp"),
-    "rasterio__RGB.byte.gcp.vrt": PICTURE,
-    "rasterio__RGB.byte.rpc.vrt": PICTURE,
+    "rasterio__RGB.byte.gcp.vrt": ELSEWHERE,
+    "rasterio__RGB.byte.rpc.vrt": ELSEWHERE,
     "rasterio__RGB.byte.tif.aux.xml": Refused(InputError, "is an XML or HTML text"),
     "rasterio__RGB2.byte.tif.msk": NOWHERE,
     "rasterio__RGBA.uint16.tif": PICTURE,
     "rasterio__alpha.tif": PICTURE,
-    "rasterio__compdcs.vrt": BANDS,
+    "rasterio__compdcs.vrt": ELSEWHERE,
     "rasterio__float32.tif": NO_CRS,
     "rasterio__float_nan.tif": NO_CRS,
     "rasterio__float_raster_with_extra_nodata.tif": of(Right(), FRACTIONS),
@@ -99,7 +100,7 @@ ODD = {
     "rasterio__rgb-byte-tenth.tif": PICTURE,
     "rasterio__rotated.tif": NO_CRS,
     "rasterio__test_esri_wkt.tif": TOO_FEW,
-    "rasterio__white-gemini-iv.vrt": BANDS,
+    "rasterio__white-gemini-iv.vrt": ELSEWHERE,
     "riotiler__201404_13SED190110_201404_0x1500m_CL_1_extmask.tif.msk": NOWHERE,
     "riotiler__clp.tif": of(Right(copied=False), UNLISTED),
     "riotiler__cog_gradient.tif": TOO_WIDE,
