@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from firebreak_gis.errors import GridError, ParameterError
+from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid
-from firebreak_gis.schema import annotate
+from firebreak_gis.schema import VARIABLES, annotate
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -145,7 +145,14 @@ class Budget:
             As `require`.
         """
         self.require()
-        spent = np.cumsum(np.asarray(costs, dtype=np.float64))
+        prices = np.asarray(costs, dtype=np.float64)
+        wrong = int(np.count_nonzero(~(np.isfinite(prices) & (prices >= 0.0))))
+        if wrong:
+            raise InputError(
+                f"cost is missing, negative or infinite on {wrong} cells that can be cut; give a number of at least 0, "
+                "or let these cells not be cut (-inf in the priority)"
+            )
+        spent = np.cumsum(prices)
         return int(np.searchsorted(spent, self.amount * _ROUNDING, side="right"))
 
     def pays(self, cost: float) -> bool:
@@ -162,6 +169,31 @@ class Budget:
     def cell_share(self, network: SpreadNetwork, stakes: Stakes) -> float:
         """Share of the cells with fuel that this is about; money is taken at the mean cost."""
         return self.cost_share(network, stakes)
+
+
+def require_priority(priority: Any) -> None:
+    """Refuse a variable that this package made as something else: any numbers rank cells, and look plausible.
+
+    Raises
+    ------
+    InputError
+        Saying what it is.
+
+    Examples
+    --------
+    >>> import xarray as xr
+    >>> require_priority(  # doctest: +ELLIPSIS
+    ...     xr.DataArray([[3.0, 1.0]], dims=("y", "x"), name="elevation")
+    ... )
+    Traceback (most recent call last):
+    firebreak_gis.errors.InputError: the ranking is elevation (terrain elevation), expected priority; if its ...
+    """
+    name = str(priority.name) if hasattr(priority, "dims") else ""
+    if name in VARIABLES and name != "priority":
+        raise InputError(
+            f"the ranking is {name} ({VARIABLES[name].text}), expected priority; if its numbers are meant, say so: "
+            'data.rename("priority")'
+        )
 
 
 def removal_order(priority: np.ndarray | xr.DataArray) -> np.ndarray:
@@ -218,7 +250,7 @@ def select_breaks(
     burnable
         (y, x) cells that hold fuel, which make N_v. Default: the cells that can be cut.
     cost
-        (y, x) cost of cutting each cell, for the unit `"cost"`.
+        (y, x) cost of cutting each cell, finite and >= 0 where it can be cut, for the unit `"cost"`.
 
     Returns
     -------
@@ -231,6 +263,8 @@ def select_breaks(
         If the budget is impossible, or is more than can be cut.
     GridError
         If `priority`, `burnable` or `cost` have other dimensions or shapes.
+    InputError
+        If `priority` is another variable of this package, or `cost` is missing, negative or infinite where it counts.
 
     Notes
     -----
@@ -247,6 +281,7 @@ def select_breaks(
     3
     """
     amount = Budget.of(budget, unit)
+    require_priority(priority)
     position = removal_order(priority)
     grid = Grid.of(priority) if hasattr(priority, "dims") else Grid((position.shape[0], position.shape[1]))
     n_candidates = int(np.count_nonzero(position >= 0))

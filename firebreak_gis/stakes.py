@@ -26,6 +26,8 @@ class StakePlanes:
         (rows, cols), above 0 on existing breaks, roads and rivers, see `with_barriers`.
     cost, protected, value, ignition, difficulty
         As in `Stakes`.
+    unpriced
+        (rows, cols), true where cutting has no known cost, so that nothing is cut.
     """
 
     barriers: Plane | None = None
@@ -34,6 +36,7 @@ class StakePlanes:
     value: Plane | None = None
     ignition: Plane | None = None
     difficulty: Plane | None = None
+    unpriced: np.ndarray | None = None
 
     def roads(self, network: SpreadNetwork) -> np.ndarray | None:
         """(rows, cols) float64, 1 on a barrier, for methods that follow roads; None where none are given."""
@@ -43,10 +46,13 @@ class StakePlanes:
         """Put the barriers into a network, and the rest into its `Stakes`."""
         if self.barriers is not None:
             network = with_barriers(network, self.barriers)
+        protected = self.protected
+        if self.unpriced is not None:
+            protected = self.unpriced | (False if protected is None else network.mask(protected, "protected"))
         stakes = Stakes(
             network,
             cost=self.cost,
-            protected=self.protected,
+            protected=protected,
             value=self.value,
             ignition=self.ignition,
             difficulty=self.difficulty,
@@ -139,18 +145,36 @@ def _weights(
     if data is None:
         return default
     try:
-        values = np.where(network.burnable, network.plane(data, name).astype(np.float64), 0.0)
-    except (FirebreakError, TypeError, ValueError) as error:
+        return checked_amounts(network, data, name)
+    except FirebreakError as error:
         problems.append(str(error))
         return default
+
+
+def checked_amounts(network: SpreadNetwork, data: Plane, what: str) -> np.ndarray:
+    """Return amounts of the cells, such as costs, as (rows, cols) float64 of at least 0; 0 where there is no fuel.
+
+    Raises
+    ------
+    InputError
+        If a number on fuel is missing, negative or infinite, or `data` holds no numbers.
+    GridError
+        If `data` lies on another grid.
+    """
+    plane = network.plane(data, what)
+    try:
+        values = np.where(network.burnable, plane.astype(np.float64), 0.0)
+    except (TypeError, ValueError):
+        raise InputError(f"{what} holds {plane.dtype} values, expected numbers") from None
     missing = int(np.count_nonzero(np.isnan(values)))
     if missing:
-        problems.append(f"{name} has no data on {missing} cells that hold fuel; give a number there, for example 0")
-    elif not np.isfinite(values).all() or (values < 0).any():
-        problems.append(f"{name} lies in [{values.min():g}, {values.max():g}], expected finite numbers of at least 0")
-    else:
-        return values
-    return default
+        raise InputError(f"{what} has no data on {missing} cells that hold fuel; give a number there, for example 0")
+    if not np.isfinite(values).all() or (values < 0).any():
+        raise InputError(f"{what} lies in [{values.min():g}, {values.max():g}], expected finite numbers of at least 0")
+    with np.errstate(over="ignore"):
+        if not np.isfinite(values.sum()):
+            raise InputError(f"{what} goes up to {values.max():g}, its sum is infinite; take a greater unit")
+    return values
 
 
 def with_barriers(network: SpreadNetwork, barriers: Plane) -> SpreadNetwork:

@@ -14,18 +14,12 @@ from firebreak_gis.errors import (
     InputError,
     MissingComponentError,
     OutputError,
-    ResourceError,
     VerificationError,
 )
 from firebreak_gis.files import replacing, write_bytes
-from firebreak_gis.files.gate import (
-    asked_for_network,
-    offline,
-    require_local_vector,
-    shortened,
-    stands,
-    vector_settings,
-)
+from firebreak_gis.files.features import read_frame
+from firebreak_gis.files.gate import vector_settings
+from firebreak_gis.files.sources import names_vector
 from firebreak_gis.grid import crs_name, parse_crs
 
 if TYPE_CHECKING:
@@ -36,11 +30,6 @@ if TYPE_CHECKING:
 #: GDAL driver by extension; GeoParquet is written without GDAL.
 DRIVERS: Mapping[str, str] = MappingProxyType(
     {".gpkg": "GPKG", ".geojson": "GeoJSON", ".json": "GeoJSON", ".fgb": "FlatGeobuf", ".parquet": "Parquet"}
-)
-#: Extensions of vector files; whatever else is named is a raster.
-_EXTENSIONS = frozenset(
-    {*DRIVERS, ".shp", ".shz", ".kml", ".kmz", ".gml", ".gpx", ".sqlite", ".geojsonl", ".geojsons", ".topojson", ".dxf"}
-    | {".tab", ".mif", ".gdb"}
 )
 #: Time stamp inside GeoPackages, the same in every run so that equal data give equal bytes.
 FIXED_DATE = "2000-01-01T00:00:00Z"
@@ -61,16 +50,17 @@ def is_vector(source: Any) -> bool:
     """
     if hasattr(source, "geometry"):
         return True
-    return isinstance(source, (str, os.PathLike)) and Path(source).suffix.lower() in _EXTENSIONS
+    return isinstance(source, (str, os.PathLike)) and names_vector(os.fspath(source))
 
 
 def read_points(source: Any, crs: Any) -> gpd.GeoDataFrame:
-    """Read all points of all layers, multipoints taken apart, reprojected to `crs`.
+    """Read all points of a layer, multipoints taken apart, reprojected to `crs`.
 
     Parameters
     ----------
     source
-        Path of any vector file that GDAL reads, or a GeoDataFrame or GeoSeries with CRS.
+        Any vector file that GDAL reads, `FILE|layername=NAME|subset=CONDITION` if it has several layers or not all
+        features count; a CSV file with x and y (in `crs`), or lon and lat; or a GeoDataFrame or GeoSeries with CRS.
     crs
         Target CRS, anything that pyproj reads.
 
@@ -83,7 +73,7 @@ def read_points(source: Any, crs: Any) -> gpd.GeoDataFrame:
 
 
 def read_polygons(source: Any, crs: Any) -> gpd.GeoDataFrame:
-    """Read all polygons of all layers, one row a feature, reprojected to `crs`; as `read_points`.
+    """Read all polygons of a layer, one row a feature, reprojected to `crs`; as `read_points`.
 
     Self-crossing outlines are repaired; `attrs["notes"]` says how many.
     """
@@ -95,9 +85,9 @@ def read_features(source: Any, crs: Any) -> gpd.GeoDataFrame:
     return _read(source, crs, "lines or polygons", {"LineString", "LinearRing", "Polygon"})
 
 
-def read_starts(source: Any, crs: Any) -> gpd.GeoDataFrame:
-    """Read points and polygons together, where fires start, reprojected to `crs`; as `read_points`."""
-    return _read(source, crs, "points or polygons", {"Point", "Polygon"})
+def read_starts(source: Any, crs: Any, *, explode: bool = True) -> gpd.GeoDataFrame:
+    """Read points and polygons together, such as where fires start, reprojected to `crs`; as `read_points`."""
+    return _read(source, crs, "points or polygons", {"Point", "Polygon"}, explode=explode)
 
 
 def write_vector(
@@ -210,107 +200,29 @@ def write_layers(
 
 
 def _read(source: Any, crs: Any, what: str, kinds: set[str], *, explode: bool = True) -> gpd.GeoDataFrame:
-    import geopandas as gpd
-    import pandas as pd
-
     target = parse_crs(crs)
-    where, frames = _frames(source)
     notes: list[str] = []
-    ready = []
-    for frame in frames:
-        if frame.crs is None:
-            raise CRSError(
-                f"{where} has no coordinate reference system; assign one, e.g. ogr2ogr -a_srs EPSG:4326 out.gpkg in.shp"
-            )
-        ready.append(_plain(frame, where, what, kinds, notes).to_crs(target))
-    ready = [frame for frame in ready if len(frame)]
-    if not ready:
-        raise InputError(f"{where} holds no {what}; expected at least one")
-    joined = gpd.GeoDataFrame(pd.concat(ready, ignore_index=True), crs=target) if len(ready) > 1 else ready[0]
-    if explode:
-        joined = joined.explode(index_parts=False)
-    joined = joined.reset_index(drop=True)
-    _require_finite(joined, where, target)
-    joined.attrs["notes"] = notes
-    return joined
+    where, frame = _named(source) if hasattr(source, "geometry") else read_frame(os.fspath(source), target, notes)
+    if frame.crs is None:
+        raise CRSError(
+            f"{where} has no coordinate reference system; assign one, e.g. ogr2ogr -a_srs EPSG:4326 out.gpkg in.shp"
+        )
+    ready = _plain(frame, where, what, kinds, notes).to_crs(target)
+    if not len(ready):
+        filtered = " that the filter lets through" if "|subset=" in str(source) else ""
+        raise InputError(f"{where} holds no {what}{filtered}; expected at least one")
+    ready = (ready.explode(index_parts=False) if explode else ready).reset_index(drop=True)
+    _require_finite(ready, where, target)
+    ready.attrs["notes"] = notes
+    return ready
 
 
-def _frames(source: Any) -> tuple[str, list[gpd.GeoDataFrame]]:
+def _named(source: gpd.GeoSeries | gpd.GeoDataFrame) -> tuple[str, gpd.GeoDataFrame]:
     import geopandas as gpd
 
     if isinstance(source, gpd.GeoSeries):
-        return "the geometries", [gpd.GeoDataFrame(geometry=source)]
-    if isinstance(source, gpd.GeoDataFrame):
-        return "the features", [source]
-    name = os.fspath(source)
-    if not stands(name):
-        raise InputError(
-            f"{shortened(name)} does not exist on this machine; check the name and the folder, or, if it is a network "
-            "or archive address, download or unpack it first"
-        )
-    if name.lower().endswith(".parquet"):
-        return name, [_read_parquet(name)]
-    import pyogrio
-    from pyogrio.errors import DataLayerError, DataSourceError
-    from shapely.errors import ShapelyError
-
-    place = os.path.abspath(name)  # noqa: PTH100 - a relative name may look like an address
-    try:
-        with offline(vector_settings):
-            require_local_vector(name, place)
-            layers = [str(row[0]) for row in pyogrio.list_layers(place) if row[1] is not None]
-            frames = [_read_layer(place, layer) for layer in layers]
-            if frames:
-                _require_whole(place, layers, frames)
-    except InputError:
-        raise
-    except (DataSourceError, DataLayerError, ShapelyError, OSError, ValueError) as error:
-        if asked_for_network(error):
-            raise InputError(f"{name} describes data on a server; download them first") from error
-        text = str(error).replace(place, "the file")[:120]
-        raise InputError(f"{name} cannot be read as vector data ({text}); is it complete?") from error
-    except MemoryError as error:  # as many features as the header of a damaged file may claim
-        raise ResourceError(f"{name} claims more features than fit into memory; is it damaged?") from error
-    if not frames:
-        raise InputError(f"{name} holds no layer with geometries")
-    return name, frames
-
-
-def _read_layer(name: str, layer: str) -> gpd.GeoDataFrame:
-    """Shapefiles cut names after ten bytes, perhaps in the middle of a letter; then each byte is read as one."""
-    import geopandas as gpd
-
-    try:
-        return gpd.read_file(name, layer=layer, engine="pyogrio")
-    except UnicodeDecodeError:
-        return gpd.read_file(name, layer=layer, engine="pyogrio", ENCODING="ISO-8859-1")
-
-
-def _require_whole(name: str, layers: list[str], frames: list[gpd.GeoDataFrame]) -> None:
-    """A FlatGeobuf cut off between two features reads without a word; its header knows how many there were."""
-    import pyogrio
-
-    for layer, frame in zip(layers, frames, strict=True):
-        try:
-            told = pyogrio.read_info(name, layer=layer)
-        except UnicodeDecodeError:
-            continue  # a Shapefile, see _read_layer
-        if told["driver"] == "FlatGeobuf" and told["features"] > len(frame):
-            raise InputError(
-                f"{name} is damaged or cut off: {len(frame)} features were found, {told['features']} expected; copy or "
-                "export it again"
-            )
-
-
-def _read_parquet(name: str) -> gpd.GeoDataFrame:
-    import geopandas as gpd
-
-    try:
-        return gpd.read_parquet(name)
-    except ImportError as error:
-        raise MissingComponentError("reading .parquet needs pyarrow: pip install pyarrow (or use .gpkg)") from error
-    except (OSError, ValueError) as error:
-        raise InputError(f"{name} cannot be read as GeoParquet ({str(error)[:120]}); is it complete?") from error
+        return "the geometries", gpd.GeoDataFrame(geometry=source)
+    return "the features", source
 
 
 def _plain(frame: gpd.GeoDataFrame, where: str, what: str, kinds: set[str], notes: list[str]) -> gpd.GeoDataFrame:

@@ -123,14 +123,17 @@ def points_file(folder):
     return path
 
 
-def test_all_points_of_all_layers_are_read_and_reprojected(tmp_path):
-    points = vectors.read_points(points_file(tmp_path), UTM)
-    assert list(points["n"]) == [1, 3, 3]
+def test_all_points_of_a_layer_are_read_and_reprojected(tmp_path):
+    points = vectors.read_points(f"{points_file(tmp_path)}|layername=villages", UTM)
+    assert list(points["n"]) == [1]
     assert points.crs == UTM
     x, y = Transformer.from_crs(4326, UTM, always_xy=True).transform(27.85, 36.15)
-    np.testing.assert_allclose(points.get_coordinates(), [(x, y), (576_500, 4_001_000), (576_600, 4_001_100)])
+    np.testing.assert_allclose(points.get_coordinates(), [(x, y)])
     assert points.attrs["notes"] == ["1 features without a geometry were left out"]
-    assert list(points.index) == [0, 1, 2]
+    several = vectors.read_points(f"{tmp_path / 'ignitions.gpkg'}|layername=roads", UTM)
+    assert list(several["n"]) == [3, 3]
+    assert list(several.index) == [0, 1]
+    np.testing.assert_allclose(several.get_coordinates(), [(576_500, 4_001_000), (576_600, 4_001_100)])
 
 
 def test_frames_and_series_are_taken_and_not_changed():

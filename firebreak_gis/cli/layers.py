@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.cli.session import Session
 from firebreak_gis.rasters import file_of
@@ -17,9 +17,12 @@ if TYPE_CHECKING:
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import Survey
     from firebreak_gis.landscape.request import LandscapeRequest
+    from firebreak_gis.landscape.stake_layers import StakesRequest
+    from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
     from firebreak_gis.simulation.request import FireRequest
+    from firebreak_gis.stakes import StakePlanes
 
 
 def input_files(names: Iterable[str | None]) -> list[str]:
@@ -47,8 +50,80 @@ def ridges(dem: str | None, grid: Grid) -> np.ndarray | None:
     return elevation_plane(dem, grid) if dem else None
 
 
-def checked_fires(request: FireRequest, network: SpreadNetwork) -> FireRequest:
-    """Lay a raster of ignitions on the grid, and look at where fires start before hours of ranking.
+def read_stakes(
+    request: StakesRequest,
+    session: Session,
+    *,
+    grid: Grid,
+    fuel: np.ndarray,
+    ignitions: Any = None,
+    landscape: xr.Dataset | None = None,
+    strict: bool = False,
+) -> tuple[StakePlanes, Account]:
+    """Lay what a planner adds on a grid, see `StakesRequest.read`, and say what was done.
+
+    Raises
+    ------
+    ParameterError, InputError
+        Naming everything that cannot be read.
+    """
+    from firebreak_gis.landscape.target_grid import Account
+
+    account = Account(strict=strict)
+    planes = request.read(grid, fuel=fuel, ignitions=ignitions, landscape=landscape, account=account)
+    tell(account, session)
+    return planes, account
+
+
+def read_breaks(source: str, grid: Grid, session: Session) -> np.ndarray:
+    """Lay own or planned breaks, drawn or as a raster on any grid, on a grid; (rows, cols) bool.
+
+    Raises
+    ------
+    InputError
+        If they cannot be read, lie elsewhere, or are another of the product's own files.
+    """
+    from firebreak_gis.landscape.masks import mask_plane
+    from firebreak_gis.landscape.target_grid import Account
+    from firebreak_gis.rasters import require_role
+    from firebreak_gis.vectors import is_vector
+
+    if not is_vector(source):
+        require_role(source, "breaks")
+    account = Account()
+    mask = mask_plane(source, grid, what="breaks", rule="touched", solid=is_vector(source), account=account)
+    tell(account, session)
+    return mask
+
+
+def read_priority(source: str, session: Session, *, foreign: bool) -> xr.DataArray:
+    """Read a ranking; one that `firebreak rank` did not write must be confirmed, and be plausible.
+
+    Raises
+    ------
+    InputError
+        If it is no ranking, or is not confirmed.
+    """
+    from firebreak_gis.rasters import read_variable, require_role
+
+    if not require_role(source, "priority", known=not foreign):
+        session.warn(f"{source} was not written as a ranking; its greatest numbers are cut first, as asked")
+    ranking = read_variable(source, "priority")
+    if float(ranking.where(ranking > float("-inf")).std()) == 0.0:
+        session.warn(f"{source} ranks all cells alike, so that they are cut row by row")
+    return ranking
+
+
+def tell(account: Account, session: Session) -> None:
+    """Say what was done, and what should be looked at."""
+    for sentence in account.alignment:
+        session.say(sentence)
+    for sentence in account.warnings:
+        session.warn(sentence)
+
+
+def checked_fires(request: FireRequest, network: SpreadNetwork, session: Session) -> FireRequest:
+    """Find where fires may start, before hours of ranking, and say what was left out.
 
     Raises
     ------
@@ -57,9 +132,12 @@ def checked_fires(request: FireRequest, network: SpreadNetwork) -> FireRequest:
     ParameterError
         If a number is impossible.
     """
-    from firebreak_gis.landscape.planes import ignition_source
     from firebreak_gis.simulation.fires import resolved
+    from firebreak_gis.simulation.ignitions import ignition_places
 
-    request = replace(request, ignitions=ignition_source(request.ignitions, network.grid))
+    places = ignition_places(network, request.ignitions, outside=request.ignitions_outside)
+    for sentence in places.notes:
+        session.say(sentence)
+    request = replace(request, ignitions=places)
     resolved(network, request)
     return request

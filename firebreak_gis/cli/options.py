@@ -297,24 +297,29 @@ def ranking(command: F) -> F:
 
 
 def fires(command: F) -> F:
-    """--runs, --ignitions, --ignition-mode."""
+    """--runs, --ignitions, --ignition-mode, --ignitions-outside."""
     options = [
-        click.option(
-            "--runs", "n_runs", type=kinds.COUNT, default=100, show_default=True, help="Number of simulated fires."
-        ),
+        click.option("--runs", "n_runs", type=kinds.COUNT, default=100, show_default=True, help="Simulated fires."),
         click.option(
             "--ignitions",
             type=kinds.VECTOR_OR_RASTER,
             metavar="PATH",
-            help="Points (any vector file) or a raster of ignition probability "
-            "[default: one random cell with fuel a run].",
+            help="Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of "
+            "ignition probability [default: one random cell with fuel a run].",
         ),
         click.option(
             "--ignition-mode",
             type=click.Choice(["each", "all"]),
             default="each",
             show_default=True,
-            help="With points: runs take them in turn, or every run starts at all of them.",
+            help="With points or polygons: runs take them in turn (the seed draws the order), or start at all of them.",
+        ),
+        click.option(
+            "--ignitions-outside",
+            type=click.Choice(["refuse", "drop"]),
+            default="refuse",
+            show_default=True,
+            help="What to do with points and polygons off the landscape or without fuel.",
         ),
     ]
     return _apply(options, command)
@@ -326,7 +331,7 @@ def ignition_map(command: F) -> F:
         "--ignitions",
         type=kinds.RASTER,
         metavar="RASTER",
-        help="How likely a fire starts in each cell, relative to the others [default: everywhere alike].",
+        help="How likely a fire starts in each cell, relative to the others [default: alike].",
     )(command)
 
 

@@ -15,6 +15,14 @@ from firebreak_gis.cli import kinds
 F = TypeVar("F", bound=Callable[..., Any])
 
 
+cost_default = click.option(
+    "--cost-default",
+    type=float,
+    metavar="NUMBER",
+    help="Cost per hectare where --cost tells none [default: nothing is cut there].",
+)
+
+
 def stakes(command: F) -> F:
     """--cost, --protected, --allowed, --barriers, --values and their fields."""
     options = [
@@ -26,32 +34,51 @@ def stakes(command: F) -> F:
             "(firebreak plan only) classes such as agricultural=500,shrubs=900,pines=1500.",
         ),
         click.option("--cost-field", metavar="NAME", help="Column of the cost polygons."),
+        cost_default,
         click.option(
             "--protected",
             type=kinds.VECTOR_OR_RASTER,
             metavar="PATH",
-            help="Area (raster or polygons) where nothing may be cut.",
+            help="Area (raster or polygons, lines take the cells that they touch) where nothing may be cut.",
         ),
         click.option(
             "--allowed",
             type=kinds.VECTOR_OR_RASTER,
             metavar="PATH",
-            help="Area (raster or polygons) outside of which nothing may be cut.",
+            help="Area (raster or polygons, lines take the cells that they touch) outside of which nothing may be cut.",
+        ),
+        click.option(
+            "--protected-rule",
+            type=click.Choice(["every-part", "centre"]),
+            default="every-part",
+            show_default=True,
+            help="Cells that --protected and --allowed keep from being cut: all with a part inside the one or outside "
+            "the other, or those whose centre is.",
         ),
         click.option(
             "--barriers",
             type=kinds.VECTOR_OR_RASTER,
             metavar="PATH",
-            help="Existing breaks, roads, rivers (raster, lines or polygons): they hold no fuel and cost nothing.",
+            help="Existing breaks, roads, rivers (raster, lines or polygons): all cells that they cut hold no fuel and "
+            "cost nothing.",
         ),
         click.option(
             "--values",
             type=kinds.VECTOR_OR_RASTER,
             metavar="PATH",
-            help="Values at risk per cell (raster), or polygons with --values-field, "
-            "whose number counts for each cell inside [default: 1 on fuel].",
+            help="Values at risk: a raster, or polygons or points with --values-field [default: 1 on fuel].",
         ),
-        click.option("--values-field", metavar="NAME", help="Column of the value polygons."),
+        click.option(
+            "--values-field", metavar="NAME", help="Column of the value polygons or points [default: 1 for each]."
+        ),
+        click.option(
+            "--values-as",
+            type=click.Choice(["amount", "density"]),
+            default="amount",
+            show_default=True,
+            help="What the numbers of --values are: so much in each cell of the raster, polygon or point (people), the "
+            "sum of which is kept; or so much a hectare.",
+        ),
     ]
     for option in reversed(options):
         command = option(command)

@@ -1,4 +1,4 @@
-"""Options of the spread model and of weather that several commands share; `landscape.weather` has their requests."""
+"""Options of the spread model and of weather that several commands share; `planning.weather` has their requests."""
 
 from __future__ import annotations
 

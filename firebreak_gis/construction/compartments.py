@@ -11,6 +11,7 @@ from firebreak_gis.errors import InputError
 from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
 from firebreak_gis.network import neighbour
+from firebreak_gis.stakes import checked_amounts
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -152,13 +153,7 @@ def weights(network: SpreadNetwork, data: Plane | None, name: str) -> np.ndarray
     """Plane of finite numbers of at least 0 on fuel and 0 elsewhere, float64; 1 on fuel by default."""
     if data is None:
         return network.burnable.astype(np.float64)
-    values = np.where(network.burnable, network.plane(data, name).astype(np.float64), 0.0)
-    if not np.isfinite(values).all() or (values < 0).any():
-        raise InputError(
-            f"{name} has negative, infinite or missing numbers on fuel, expected finite numbers of at least 0; "
-            "give 0 where there is none"
-        )
-    return values
+    return checked_amounts(network, data, name)
 
 
 def outlines(ids: np.ndarray, n: int, grid: Grid) -> list[shapely.Geometry]:

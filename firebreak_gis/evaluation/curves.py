@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from firebreak_gis.breaks import require_priority
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.fires import burn_budgets
@@ -107,6 +108,8 @@ def evaluate_fires(
 ) -> xr.Dataset:
     """Judge rankings on the fires of a request; all else as in `evaluate`."""
     _require_choice(priorities, baseline, test)
+    for priority in priorities.values():
+        require_priority(priority)
     shares = {}
     for i, (name, priority) in enumerate(priorities.items()):
         step = part(progress, i / len(priorities), (i + 1) / len(priorities), f"{name}: ")

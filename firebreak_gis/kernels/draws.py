@@ -41,6 +41,7 @@ PURPOSES = (
     "design",
     "check",
     "comparison",
+    "places",
 )
 
 

@@ -7,16 +7,17 @@ commonest. "Coarser" means that a cell of the grid covers at least two of the la
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from affine import Affine
 
 from firebreak_gis.errors import InputError, VerificationError
 from firebreak_gis.grid import SAME_GRID_TOLERANCE, Grid, crs_name
-from firebreak_gis.landscape.resampling import Placed, average, bilinear, mode, nearest
+from firebreak_gis.landscape.resampling import Placed, average, bilinear, mode, nearest, shared_out, touched
 from firebreak_gis.landscape.target_grid import Account, cell_in
 from firebreak_gis.projections import outline, transform
 from firebreak_gis.rasters import Cells, Header, read_cells
@@ -30,6 +31,11 @@ COARSER = 2.0
 ROUNDING = 1e-5
 #: Stands for "no data" among class codes.
 MISSING = -1
+#: Which cells of another grid belong to an area.
+MaskRule = Literal["touched", "centre", "within"]
+MASK_RULES: Mapping[MaskRule, str] = MappingProxyType(
+    {"touched": "every cell with a part inside", "centre": "cells whose centre lies inside", "within": "whole cells"}
+)
 
 
 @dataclass(frozen=True)
@@ -165,6 +171,84 @@ def align_classes(header: Header, grid: Grid, name: str, account: Account) -> np
             f"{name}: aligning made the codes {new[new != MISSING][:5]}, which were not in the raster"
         )
     return result
+
+
+def align_mask(header: Header, grid: Grid, name: str, account: Account, rule: MaskRule) -> np.ndarray:
+    """Return an area given as a raster, above 0 inside, as bool (rows, cols); no data lies outside.
+
+    Parameters
+    ----------
+    header, grid, name, account
+        As in `align_classes`.
+    rule
+        Cells of another grid: `"touched"` takes those that any part of the area overlaps, `"centre"` those whose centre
+        lies in it, `"within"` those of which no part lies outside.
+
+    Raises
+    ------
+    InputError
+        If the raster lies elsewhere, or holds fractions.
+    """
+    how = plan(header, grid)
+    cells = _read(header, how, strict=False, sentinels=False)
+    _tell(cells, name, account)
+    inside = cells.values[cells.valid]
+    if inside.dtype.kind == "f" and (broken := inside[inside != np.round(inside)]).size:
+        raise InputError(
+            f"{header.path} holds fractions such as {broken[0]:g}, expected a mask of whole numbers for {name}, above "
+            "0 inside; if it was resampled make it again with nearest, if it is a quantity make a mask of it first"
+        )
+    mask = cells.valid & (cells.values > 0)
+    placed = _placed(header, how)
+    covered = cells.valid if how.copy else nearest(cells.valid, placed, grid, missing=False)
+    if not covered.any():
+        raise InputError(f"{name} does not touch the landscape {grid.describe()}; is {header.path} the right file?")
+    account.alignment.append(_sentence(name, header, how, grid, f"classes, {MASK_RULES[rule]}"))
+    others = np.setdiff1d(np.unique(inside[inside > 0]), [1])
+    if others.size:
+        account.alignment.append(
+            f"{name}: all values above 0 count as inside, here also {', '.join(f'{v:g}' for v in others[:5])}"
+        )
+    if not covered.all():
+        account.alignment.append(
+            f"{name}: the raster tells nothing about {1 - covered.mean():.3g} of the landscape, which counts as outside"
+        )
+    if how.copy:
+        return np.asarray(mask)
+    centre = nearest(mask, placed, grid, missing=False)
+    if rule == "centre":
+        return centre
+    if rule == "within":
+        centre &= ~touched(~mask, placed, grid, how.cells)
+        return centre
+    return touched(mask, placed, grid, how.cells)
+
+
+def align_amounts(header: Header, grid: Grid, name: str, account: Account) -> np.ndarray:
+    """Return amounts (so much in each cell, such as people) on the grid as float64 (rows, cols), their sum kept.
+
+    Cells without data hold nothing, which is said.
+
+    Raises
+    ------
+    InputError
+        If the values cannot be used, or lie elsewhere.
+    """
+    how = plan(header, grid)
+    cells = _read(header, how, account.strict, sentinels=True)
+    _tell(cells, name, account)
+    placed = _placed(header, how)
+    known = cells.valid if how.copy else nearest(cells.valid, placed, grid, missing=False)
+    if not known.any():
+        raise InputError(f"{name} holds no data on the landscape {grid.describe()}; is {header.path} the right file?")
+    if not known.all():
+        missing = int(np.count_nonzero(~known))
+        account.alignment.append(
+            f"{name}: no data on {missing} cells ({missing * grid.cell_area_ha:,.6g} ha), counted as 0"
+        )
+    amounts = np.where(cells.valid, cells.values, 0.0).astype(np.float64)
+    account.alignment.append(_sentence(name, header, how, grid, "shares that keep the sum"))
+    return amounts if how.copy else shared_out(amounts, placed, grid, how.cells)
 
 
 def _tell(cells: Cells, name: str, account: Account) -> None:

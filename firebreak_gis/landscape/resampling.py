@@ -19,8 +19,9 @@ All four stay here, so that the layers of one landscape are laid by one and the 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -36,6 +37,12 @@ if TYPE_CHECKING:
 BLOCK = 1 << 20
 #: A point nearer than this to the edge of two cells is on it, and belongs to the east or south one.
 ON_EDGE = 1e-6
+#: A cell that overlaps another by less than this part of its side only touches it, since grids are equal within it.
+WITHIN = 1e-3
+#: Points across a fine cell, and across a cell of the grid under coarse ones, by which amounts are shared out.
+FINE_POINTS, POINTS = 4, 2
+#: Cells that amounts of coarse cells are followed beyond the grid.
+FARTHEST = 200
 
 
 @dataclass(frozen=True)
@@ -173,6 +180,102 @@ def mode(codes: np.ndarray, placed: Placed, grid: Grid, missing: int) -> np.ndar
     if empty.any():
         result[empty] = nearest(codes, placed, grid, missing)[empty]
     return result
+
+
+def touched(mask: np.ndarray, placed: Placed, grid: Grid, sides: tuple[float, float]) -> np.ndarray:
+    """Return which cells of `grid` any true cell overlaps, however little.
+
+    Parameters
+    ----------
+    mask
+        (rows, cols) bool.
+    placed, grid
+        As in `nearest`.
+    sides
+        Width and height of a cell of the mask on the grid.
+
+    Notes
+    -----
+    Exact for upright grids in one CRS: points on each true cell, from edge to edge and no further apart than a cell of
+    the grid, fall into each cell that it overlaps.
+    """
+    assert grid.crs is not None
+    found = np.zeros(grid.shape, dtype=bool)
+    row, col = np.nonzero(mask)
+    across, down = (
+        np.clip(np.linspace(0.0, 1.0, math.ceil(side / grid.cell_size) + 1), WITHIN, 1.0 - WITHIN) for side in sides
+    )
+    step = max(1, BLOCK // (across.size * down.size))
+    for first in range(0, row.size, step):
+        part = slice(first, first + step)
+        y, x = np.broadcast_arrays(
+            placed.row + row[part, None, None] + down[:, None], placed.col + col[part, None, None] + across
+        )
+        x, y = _apply(placed.transform, x.ravel(), y.ravel())
+        x, y = transform(placed.crs, grid.crs, x, y)
+        target_col, target_row = _apply(~grid.transform, x, y)
+        _, r, c = _inside(target_row, target_col, grid.shape)
+        found[r, c] = True
+    return found
+
+
+def shared_out(amounts: np.ndarray, placed: Placed, grid: Grid, sides: tuple[float, float]) -> np.ndarray:
+    """Share the amount in each cell out among the cells of `grid` that it overlaps; the sum stays the same.
+
+    Parameters
+    ----------
+    amounts
+        (rows, cols) float64 without NaN: so much in each cell, such as people.
+    placed, grid
+        As in `nearest`.
+    sides
+        Width and height of a cell on the grid.
+
+    Returns
+    -------
+    numpy.ndarray
+        (rows, cols) float64. What lies outside the grid is left out.
+
+    Notes
+    -----
+    By points: of a fine cell `FINE_POINTS` across, each with its part; of a coarse cell all points (`POINTS` across a
+    cell of the grid) that fall into it, in equal parts. The sum is exact; so are the shares where edges of cells meet.
+    """
+    if sides[0] * sides[1] <= grid.cell_size**2:
+        return _fine_shared_out(amounts, placed, grid)
+    reach = math.ceil(max(sides) / grid.cell_size) + 1  # so that a cell at the edge has all its points
+    counted = reach <= FARTHEST
+    pad = reach if counted else 0
+    t, (rows, cols) = grid.transform, grid.shape
+    points = Grid(
+        ((rows + 2 * pad) * POINTS, (cols + 2 * pad) * POINTS),
+        t @ Affine.translation(-pad, -pad) @ Affine.scale(1.0 / POINTS),
+        grid.crs,
+    )
+    flat = np.append(amounts.ravel(), 0.0)
+    cells = np.full(points.shape, amounts.size, dtype=np.int32)  # the last stands for outside
+    for part, col, row in _source_cells(placed, points):
+        inside, r, c = _inside(row, col, amounts.shape)
+        cells[part][inside] = r * amounts.shape[1] + c
+    n_points = np.bincount(cells.ravel(), minlength=flat.size).astype(np.float64)
+    if not counted:  # cells far larger than the landscape: their area tells how many points they would have
+        n_points[:] = sides[0] * sides[1] / (grid.cell_size / POINTS) ** 2
+    shares = (flat / np.maximum(n_points, 1.0))[cells]
+    summed = shares.reshape(rows + 2 * pad, POINTS, cols + 2 * pad, POINTS).sum(axis=(1, 3))
+    return np.asarray(summed[pad : pad + rows, pad : pad + cols])
+
+
+def _fine_shared_out(amounts: np.ndarray, placed: Placed, grid: Grid) -> np.ndarray:
+    size = grid.shape[0] * grid.shape[1]
+    total = np.zeros(size)
+    offsets = (np.arange(FINE_POINTS) + 0.5) / FINE_POINTS - 0.5
+    for down in offsets:
+        for across in offsets:
+            moved = replace(placed, transform=placed.transform @ Affine.translation(across, down))
+            for rows, index in _target_cells(moved, grid):
+                used = index >= 0
+                total += np.bincount(index[used], weights=amounts[rows].ravel()[used], minlength=size)
+    return (total / FINE_POINTS**2).reshape(grid.shape)
 
 
 def _source_cells(placed: Placed, grid: Grid) -> Iterator[tuple[slice, np.ndarray, np.ndarray]]:

@@ -10,7 +10,8 @@ import numpy as np
 
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid
-from firebreak_gis.landscape.planes import Source, mask_plane
+from firebreak_gis.landscape.masks import mask_plane
+from firebreak_gis.landscape.planes import Source
 from firebreak_gis.vectors import is_vector
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def read_scar(scar: Source, start: Source, grid: Grid, *, fuel: np.ndarray) -> S
         off it.
     """
     notes: list[str] = []
-    burnt = mask_plane(scar, grid, what="the scar")
+    burnt = mask_plane(scar, grid, what="the scar", rule="centre")
     if not burnt.any():
         raise InputError("the scar holds the centre of no cell of the landscape; take smaller cells (align --res)")
     if is_vector(scar):
@@ -163,7 +164,7 @@ def fire_table(
 
 def _start(start: Source, grid: Grid, burnt: np.ndarray, fuel: np.ndarray, notes: list[str]) -> np.ndarray:
     if not is_vector(start):
-        begun = mask_plane(start, grid, what="the start")
+        begun = mask_plane(start, grid, what="the start", rule="centre")
         return _with_fuel(begun, fuel)
     from firebreak_gis.vectors import read_starts
 
@@ -171,9 +172,8 @@ def _start(start: Source, grid: Grid, burnt: np.ndarray, fuel: np.ndarray, notes
     areas = frame[frame.geometry.geom_type.str.contains("Polygon")]
     begun = np.zeros(grid.shape, bool)
     if len(areas):
-        try:
-            begun |= mask_plane(areas, grid, what="the start")
-        except InputError:  # none holds the centre of a cell
+        begun |= mask_plane(areas, grid, what="the start", rule="centre")
+        if not begun.any():
             notes.append("the start is smaller than a cell")
     points = (
         frame.geometry.representative_point() if not begun.any() else frame[~frame.index.isin(areas.index)].geometry

@@ -9,12 +9,17 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from firebreak_gis.errors import FirebreakError, InputError, ParameterError, raise_together
-from firebreak_gis.landscape.planes import mask_plane, value_plane
+from firebreak_gis.landscape.alignment import MaskRule
+from firebreak_gis.landscape.amounts import ValuesAs, cost_per_hectare, value_at_risk
+from firebreak_gis.landscape.masks import mask_plane
+from firebreak_gis.landscape.planes import ignition_source
+from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.schema import VEGETATION
 from firebreak_gis.stakes import StakePlanes
 from firebreak_gis.vectors import is_vector
@@ -23,6 +28,12 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from firebreak_gis.grid import Grid
+
+#: Which cells are kept: all with any part protected or not allowed, or those whose centre is.
+ProtectedRule = Literal["every-part", "centre"]
+#: How areas are laid on the grid, so that none is cut into and nothing passes a barrier.
+MASKS: Mapping[str, MaskRule] = MappingProxyType({"barriers": "touched", "protected": "touched", "allowed": "within"})
+CENTRES: Mapping[str, MaskRule] = MappingProxyType({"protected": "centre", "allowed": "centre"})
 
 
 @dataclass(frozen=True)
@@ -33,21 +44,30 @@ class StakesRequest:
     ----------
     cost, cost_field
         Cost of cutting per hectare: a raster, polygons with their column, or a rate by vegetation class.
+    cost_default
+        Cost per hectare where `cost` tells none; without it nothing is cut there.
     protected, allowed
         Where nothing may be cut, and outside of which nothing may be cut.
+    protected_rule
+        Whether a cell is kept if any part of it is protected or not allowed, or only if its centre is.
     barriers
         Existing breaks, roads, rivers.
     values, values_field
-        Value at risk per cell: a raster, or polygons with their column.
+        Values at risk: a raster, or polygons or points with their column.
+    values_as
+        Whether they are amounts (in each cell of the raster, polygon or point) or so much a hectare.
     """
 
     cost: str | Mapping[str, float] | None = None
     cost_field: str | None = None
+    cost_default: float | None = None
     protected: str | None = None
     allowed: str | None = None
+    protected_rule: ProtectedRule = "every-part"
     barriers: str | None = None
     values: str | None = None
     values_field: str | None = None
+    values_as: ValuesAs = "amount"
 
     @property
     def layers(self) -> dict[str, str]:
@@ -60,33 +80,51 @@ class StakesRequest:
         """Names of files."""
         return tuple(self.layers.values())
 
-    def read(self, grid: Grid, *, ignitions: Any = None, landscape: xr.Dataset | None = None) -> StakePlanes:
+    def read(
+        self,
+        grid: Grid,
+        *,
+        fuel: np.ndarray,
+        ignitions: Any = None,
+        landscape: xr.Dataset | None = None,
+        account: Account | None = None,
+    ) -> StakePlanes:
         """Lay everything on a grid.
 
         Parameters
         ----------
         grid
             The grid of the network.
+        fuel
+            (rows, cols) bool: which cells hold fuel.
         ignitions
             Where fires start; a raster of weights shapes the plan too, points do not.
         landscape
             Needed for costs by vegetation class.
+        account
+            Gets sentences on what was done.
 
         Raises
         ------
         ParameterError, InputError
             Naming everything that cannot be read.
         """
+        account = Account() if account is None else account
+        rules = {**MASKS, **(CENTRES if self.protected_rule == "centre" else {})}
         readers: dict[str, Callable[[], np.ndarray]] = {}
-        for name in ("barriers", "protected", "allowed"):
+        for name, rule in rules.items():
             if source := getattr(self, name):
-                readers[name] = partial(mask_plane, source, grid, what=name)
+                readers[name] = partial(
+                    mask_plane, source, grid, what=name, rule=rule, solid=name == "barriers", account=account
+                )
         if self.cost:
-            readers["cost"] = lambda: self._cost(grid, landscape)
+            readers["cost"] = lambda: self._cost(grid, landscape, account)
         if self.values:
-            readers["value"] = lambda: value_plane(self.values, grid, what="values", field=self.values_field)
+            readers["value"] = lambda: value_at_risk(
+                self.values, grid, field=self.values_field, values_as=self.values_as, account=account
+            )
         if ignitions is not None and not is_vector(ignitions):
-            readers["ignition"] = lambda: value_plane(ignitions, grid, what="ignitions")
+            readers["ignition"] = lambda: ignition_source(ignitions, grid, account)
         planes: dict[str, np.ndarray] = {}
         problems: list[FirebreakError] = []
         for name, read in readers.items():
@@ -97,18 +135,49 @@ class StakesRequest:
         raise_together(problems)
         if "allowed" in planes:
             planes["protected"] = planes.get("protected", np.False_) | ~planes.pop("allowed")
+        if "cost" in planes:
+            planes |= _priced(planes["cost"], fuel & ~planes.get("barriers", np.False_), grid, account)
+        if "value" in planes:
+            _tell_out_of_reach(planes["value"], fuel, account)
         return replace(StakePlanes(), **planes)
 
-    def _cost(self, grid: Grid, landscape: xr.Dataset | None) -> np.ndarray:
+    def _cost(self, grid: Grid, landscape: xr.Dataset | None, account: Account) -> np.ndarray:
         """Cost of cutting each cell, from costs per hectare."""
         if not isinstance(self.cost, Mapping):
-            return value_plane(self.cost, grid, what="cost", field=self.cost_field) * grid.cell_area_ha
+            return (
+                cost_per_hectare(self.cost, grid, field=self.cost_field, default=self.cost_default, account=account)
+                * grid.cell_area_ha
+            )
         if landscape is None:
             raise ParameterError("costs by class need the vegetation; use firebreak plan, or give a raster")
         rates = np.zeros(256)
         for code, name in VEGETATION.items():
             rates[code] = self.cost[name] if code else 0.0
         return np.asarray(rates[landscape["vegetation"].to_numpy()] * grid.cell_area_ha)
+
+
+def _priced(cost: np.ndarray, fuel: np.ndarray, grid: Grid, account: Account) -> dict[str, np.ndarray]:
+    """Cost without gaps, and where it is not known: nothing is cut there, since missing is not free."""
+    unknown = fuel & np.isnan(cost)
+    if not unknown.any():
+        return {"cost": np.nan_to_num(cost, nan=0.0)}
+    count = int(np.count_nonzero(unknown))
+    if count == np.count_nonzero(fuel):
+        raise InputError("cost is known on no cell that holds fuel; say what cutting a hectare costs (--cost-default)")
+    account.warn(
+        f"cost is not known on {count} cells with fuel ({count * grid.cell_area_ha:,.6g} ha), where nothing is cut; "
+        "say what cutting a hectare costs there (--cost-default)"
+    )
+    return {"cost": np.nan_to_num(cost, nan=0.0), "unpriced": unknown}
+
+
+def _tell_out_of_reach(value: np.ndarray, fuel: np.ndarray, account: Account) -> None:
+    """Say how much of the value lies where nothing burns."""
+    total, lost = float(value.sum()), float(value[~fuel].sum())
+    if lost > 1e-9 * total:
+        account.alignment.append(
+            f"values: {lost:,.10g} of it ({100 * lost / total:.3g} %) lie on cells without fuel, which do not burn"
+        )
 
 
 def rates_by_class(text: str) -> dict[str, float]:

@@ -210,10 +210,12 @@ class _Check:
     def ignitions(self, draw: Callable[[], Ignitions]) -> None:
         """Whether fires can start."""
         try:
-            cells = draw().cells
+            start = draw()
         except FirebreakError as error:
             self.problems.append(error)
             return
+        self.account.extend(start.notes)
+        cells = start.cells
         inside = int(np.count_nonzero(self.stakes.protected.ravel()[cells]))
         if inside and self.n_free:
             self.account.append(

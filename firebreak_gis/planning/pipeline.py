@@ -14,10 +14,10 @@ from firebreak_gis.construction.segments import segments
 from firebreak_gis.evaluation.curves import evaluate_fires
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.landscape.target_grid import Account
-from firebreak_gis.landscape.weather import SpreadRequest
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
+from firebreak_gis.planning.weather import SpreadRequest
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
 from firebreak_gis.simulation.fires import burn, resolved

@@ -17,7 +17,7 @@ from firebreak_gis.breaks import Budget, BudgetUnit
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
-from firebreak_gis.landscape.weather import SpreadRequest
+from firebreak_gis.planning.weather import SpreadRequest
 from firebreak_gis.simulation.request import FireRequest
 
 

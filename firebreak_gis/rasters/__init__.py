@@ -9,7 +9,7 @@ from firebreak_gis.rasters.header import (
 )
 from firebreak_gis.rasters.naming import file_of
 from firebreak_gis.rasters.opening import files_behind, open_raster
-from firebreak_gis.rasters.reading import Cells, read_cells, read_raster, read_variable, variable_bands
+from firebreak_gis.rasters.reading import Cells, read_cells, read_raster, read_variable, require_role, variable_bands
 from firebreak_gis.rasters.writing import disk_dtype, write_raster
 
 __all__ = [
@@ -25,6 +25,7 @@ __all__ = [
     "read_raster",
     "read_variable",
     "require_georeferenced",
+    "require_role",
     "variable_bands",
     "with_crs",
     "write_raster",

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from firebreak_gis.errors import InputError
 from firebreak_gis.files.gate import REMOTE_HELP, shortened, stands
+from firebreak_gis.files.sources import vector_name
 
 #: `FILE.nc:variable`, a variable of a file that holds several.
 _VARIABLE = re.compile(r"^(?P<file>.+\.(?P<kind>nc|nc4|cdf|h5|hdf5|he5)):(?P<variable>/*\w[\w/ .-]*)$", re.IGNORECASE)
@@ -45,11 +46,12 @@ def short_name(name: str) -> str:
 
 
 def file_of(name: str) -> str:
-    """Return the file that a name speaks of: `a.nc` for `a.nc:dem`, `a.tif` for `a.tif:2`."""
+    """Return the file that a name speaks of: `a.nc` for `a.nc:dem`, `a.gpkg` for `a.gpkg|layername=roads`."""
     if stands(name):
         return name
     if (found := _BAND.match(name)) and stands(file_of(found["raster"])):
         return file_of(found["raster"])
+    name = vector_name(name).file
     if found := _VARIABLE.match(name):
         return found["file"]
     if found := _SUBDATASET.match(name):

@@ -208,6 +208,44 @@ def read_variable(
     return data.assign_attrs(provenance=provenance) if provenance else data
 
 
+def require_role(path: str | os.PathLike[str], name: str, *, known: bool = False, remote: bool = False) -> bool:
+    """Refuse a raster that this product wrote as something else.
+
+    Parameters
+    ----------
+    path
+        Any raster.
+    name
+        What it is taken for, in `schema.VARIABLES`.
+    known
+        Whether a raster that tells nothing of itself, or something else, is refused, too. Otherwise one of another
+        product passes, and for `priority`, which any numbers may be, one of this product.
+    remote
+        As in `read_raster`.
+
+    Returns
+    -------
+    bool
+        Whether the file was written as `name`.
+
+    Raises
+    ------
+    InputError
+        Saying what it is.
+    """
+    with open_raster(path, remote=remote) as source:
+        role = source.tags(1).get("variable", "") if source.count else ""
+    if role == name:
+        return True
+    what = f"{os.fspath(path)} was written as {VARIABLES[role].text}" if role in VARIABLES else ""
+    if known:
+        what = what or f"{os.fspath(path)} does not say that it is a {VARIABLES[name].text}"
+        raise InputError(f"{what}; if its numbers are to be taken as {name} all the same, say so (--foreign)")
+    if what and name != "priority":
+        raise InputError(f"{what}, expected {name} ({VARIABLES[name].text}); is it the right file?")
+    return False
+
+
 #: Provenance tags in files begin with this.
 TAG = "FIREBREAK_"
 

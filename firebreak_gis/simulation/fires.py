@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import Budget, removal_order
+from firebreak_gis.breaks import Budget, removal_order, require_priority
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.network import checked_residual
 from firebreak_gis.progress import Progress, part
@@ -27,6 +27,7 @@ from firebreak_gis.simulation.products import Products, product_maps
 from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.simulation.timed import burn_timed
 from firebreak_gis.simulation.timeless import burn_all, burn_levels
+from firebreak_gis.stakes import checked_amounts
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -68,7 +69,7 @@ def simulate(
     residual
         Share of its spread probability that a treated cell keeps; 0 is a perfect break.
     value
-        (y, x) value lost when the cell burns; then the result holds `value_lost`.
+        (y, x) value lost when the cell burns, finite and >= 0 on fuel; then the result holds `value_lost`.
     ignitions, ignition_mode
         See `firebreak_gis.simulation.ignitions.resolve_ignitions`; default: one random cell with fuel a run.
     n_runs
@@ -170,7 +171,7 @@ def burn(
     """Burn the network as a request says; all else as in `simulate`."""
     checked_residual(request.residual)
     start = resolved(network, request, first_run=first_run)
-    worth = None if value is None else network.plane(value, "value").astype(np.float64).ravel()
+    worth = None if value is None else checked_amounts(network, value, "value").ravel()
     plain = request.timeless and weather is None and barriers is None
     asked = products or Products()
     if plain:
@@ -231,6 +232,7 @@ def resolved(network: SpreadNetwork, request: FireRequest, *, first_run: int = 0
         n_runs=request.n_runs,
         first_run=first_run,
         seed=request.seed,
+        outside=request.ignitions_outside,
     )
 
 
@@ -294,6 +296,7 @@ def burn_budgets(
     Without a clock, embers or failing breaks the breaks are perfect, and all budgets take one pass a run. With them
     every budget is burnt by itself, by the same draws.
     """
+    require_priority(priority)
     start, n_runs = resolved(network, request), request.n_runs
     levels = cut_levels(network, priority, budgets)
     burnt = np.zeros((n_runs, len(budgets)), np.int64)

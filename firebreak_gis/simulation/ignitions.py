@@ -1,7 +1,8 @@
-"""Where fires start: random cells, given points, or a map of how likely each cell is."""
+"""Where fires start: random cells, points, polygons that burn already, or a map of how likely each cell is."""
 
 from __future__ import annotations
 
+import itertools
 import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -10,13 +11,19 @@ import numpy as np
 
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.kernels.draws import stream_key, uniforms
-from firebreak_gis.simulation.request import IgnitionMode
-from firebreak_gis.vectors import is_vector, read_points
+from firebreak_gis.landscape.footprints import footprints
+from firebreak_gis.landscape.planes import ignition_source
+from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.simulation.request import IgnitionMode, Outside
+from firebreak_gis.stakes import checked_amounts
+from firebreak_gis.vectors import is_vector
 
 if TYPE_CHECKING:
+    import geopandas as gpd
+
     from firebreak_gis.network import SpreadNetwork
 
-__all__ = ["IgnitionMode", "Ignitions", "resolve_ignitions"]
+__all__ = ["IgnitionMode", "Ignitions", "Outside", "Places", "ignition_places", "resolve_ignitions"]
 
 
 @dataclass(frozen=True)
@@ -33,12 +40,101 @@ class Ignitions:
         Number of the first run.
     at
         When each of them is lit [s after the start of the run]; None: at once.
+    notes
+        Sentences on what was left out or done.
     """
 
     starts: np.ndarray
     cells: np.ndarray
     first_run: int = 0
     at: np.ndarray | None = None
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Places:
+    """Where fires may start on one network.
+
+    Parameters
+    ----------
+    weights
+        (n_cells,) float64: how likely a fire starts in each cell, relative to the others; None for single places.
+    starts, cells
+        Place k is ``cells[starts[k]:starts[k + 1]]``: one cell of a point, all with fuel that a polygon cuts.
+    notes
+        Sentences on what was left out or done.
+    """
+
+    weights: np.ndarray | None
+    starts: np.ndarray
+    cells: np.ndarray
+    notes: tuple[str, ...] = ()
+
+
+def ignition_places(network: SpreadNetwork, source: Any = None, *, outside: Outside = "refuse") -> Places:
+    """Find the cells where fires may start.
+
+    Parameters
+    ----------
+    network
+        The network before any cutting.
+    source
+        None: every cell with fuel alike. A raster (path, on any grid, or an array on this one): in proportion to its
+        values. Points or polygons (path of a vector file, GeoDataFrame, GeoSeries, in any CRS) or a sequence of
+        (x, y) in the CRS of the network: at these. A polygon is the perimeter of a fire: all cells with fuel that it
+        cuts burn from the start.
+    outside
+        Points and polygons outside the grid or without fuel: `"refuse"` them, or `"drop"` them with a note.
+
+    Returns
+    -------
+    Places
+        To be given as `ignitions` wherever fires are simulated.
+
+    Raises
+    ------
+    ParameterError
+        If `outside` is neither.
+    InputError
+        If a place cannot burn, none is left, or weights are NaN on fuel, negative, infinite or all zero.
+    """
+    if outside not in ("refuse", "drop"):
+        raise ParameterError(f"ignitions outside are {outside!r}, expected 'refuse' or 'drop'")
+    if network.n_burnable == 0:
+        raise InputError("no cell of the network holds fuel, so nothing can burn; check the legend and the layers")
+    nowhere = np.zeros(0, np.int64)
+    account = Account()
+    weights = _weights(network, source, account)
+    if weights is not None:
+        return Places(weights, np.zeros(1, np.int64), nowhere, tuple(account.alignment + account.warnings))
+    if is_vector(source):
+        groups, words = _drawn_groups(network, source, account)
+    else:
+        groups, words = _pairs(network, source)
+    fuel = network.burnable.ravel()
+    problems, kept, off = [], [], 0
+    for group, word in zip(groups, words, strict=True):
+        burning = group[fuel[group]]
+        if burning.size:
+            kept.append(burning)
+            continue
+        off += not group.size
+        where = f"outside the grid {network.grid.describe()}"
+        if group.size:
+            row, col = divmod(int(group[0]), network.shape[1])
+            where = f"on {'a cell' if group.size == 1 else 'cells'} without fuel (row {row}, col {col})"
+        problems.append(f"{word} lies {where}")
+    if problems and (outside == "refuse" or not kept):
+        shown = "; ".join(problems[:5]) + (f"; and {len(problems) - 5} more" if len(problems) > 5 else "")
+        remedy = "move or remove them, or leave them out (--ignitions-outside drop)" if kept else "none is left"
+        raise InputError(f"ignitions cannot burn: {shown}; {remedy}")
+    if problems:
+        account.alignment.append(
+            f"ignitions: {len(problems)} of {len(groups)} were left out, {off} outside the grid and "
+            f"{len(problems) - off} on cells without fuel"
+        )
+    starts = np.concatenate(([0], np.cumsum([group.size for group in kept])))
+    return Places(None, starts, np.concatenate(kept), tuple(account.alignment + account.warnings))
 
 
 def resolve_ignitions(
@@ -49,6 +145,7 @@ def resolve_ignitions(
     n_runs: int,
     first_run: int = 0,
     seed: int,
+    outside: Outside = "refuse",
 ) -> Ignitions:
     """Decide the ignition cells of every run.
 
@@ -57,18 +154,19 @@ def resolve_ignitions(
     network
         The network before any cutting, so that runs with and without breaks start alike.
     ignitions
-        None: one cell a run, uniform over the cells that hold fuel. A raster on the grid (array, DataArray or
-        path of a raster): one cell a run, drawn in proportion to its values. Points (sequence of (x, y) in
-        the CRS of the network, GeoDataFrame, GeoSeries or path of a vector file, reprojected): used as `mode`
-        says. `Ignitions` of these runs, decided earlier for this network: returned as they are.
+        As the `source` of `ignition_places`, or its result. From weights one cell a run is drawn; places are used as
+        `mode` says. `Ignitions` of these runs, decided earlier for this network: returned as they are.
     mode
-        `"each"`: run i starts at point i modulo their number. `"all"`: every run starts at all points.
+        `"each"`: the runs take the places in turn, in an order drawn by the seed, so that fewer runs than places start
+        all over the map. `"all"`: every run starts at all places.
     n_runs
         Number of runs, at least 1. Run i is the same for any number of runs.
     first_run
         Number of the first run.
     seed
         Seed of the draws.
+    outside
+        As in `ignition_places`.
 
     Raises
     ------
@@ -82,8 +180,6 @@ def resolve_ignitions(
             raise ParameterError(f"{name} is {number!r}, expected a whole number of at least {least}")
     if mode not in ("each", "all"):
         raise ParameterError(f"ignition mode is {mode!r}, expected 'each' or 'all'")
-    if network.n_burnable == 0:
-        raise InputError("no cell of the network holds fuel, so nothing can burn; check the legend and the layers")
     if isinstance(ignitions, Ignitions):
         if (ignitions.first_run, ignitions.starts.size - 1) != (first_run, n_runs):
             raise ParameterError(
@@ -91,67 +187,93 @@ def resolve_ignitions(
                 f"{n_runs} runs from run {first_run}"
             )
         return ignitions
-    if isinstance(ignitions, (str, os.PathLike)) and not is_vector(ignitions):
-        from firebreak_gis.rasters import read_raster
-
-        ignitions = read_raster(ignitions)
-    weights = _weights(network, ignitions)
-    if weights is not None:
-        cumulative = np.cumsum(weights)
+    places = ignitions if isinstance(ignitions, Places) else ignition_places(network, ignitions, outside=outside)
+    if places.weights is not None:
+        cumulative = np.cumsum(places.weights)
         draw = uniforms(stream_key(seed, "ignitions"), n_runs, first_run) * cumulative[-1]
         cells = np.searchsorted(cumulative, draw, side="right")
-        return Ignitions(np.arange(n_runs + 1), cells.astype(np.int64), first_run)
-    points = _point_cells(network, ignitions)
+        return Ignitions(np.arange(n_runs + 1), cells.astype(np.int64), first_run, notes=places.notes)
     if mode == "all":
-        return Ignitions(np.arange(n_runs + 1) * points.size, np.tile(points, n_runs), first_run)
-    runs = np.arange(first_run, first_run + n_runs)
-    return Ignitions(np.arange(n_runs + 1), points[runs % points.size], first_run)
+        return Ignitions(
+            np.arange(n_runs + 1) * places.cells.size, np.tile(places.cells, n_runs), first_run, notes=places.notes
+        )
+    n_places = places.starts.size - 1
+    order = np.argsort(uniforms(stream_key(seed, "places"), n_places), kind="stable")
+    turn = order[np.arange(first_run, first_run + n_runs) % n_places]
+    first, size = places.starts[turn], np.diff(places.starts)[turn]
+    starts = np.concatenate(([0], np.cumsum(size)))
+    within = np.arange(starts[-1]) - np.repeat(starts[:-1], size)
+    return Ignitions(starts, places.cells[np.repeat(first, size) + within], first_run, notes=places.notes)
 
 
-def _weights(network: SpreadNetwork, ignitions: Any) -> np.ndarray | None:
-    """Weight of every cell, (n_cells,) float64; None if `ignitions` are points."""
-    if ignitions is None:
+def _weights(network: SpreadNetwork, source: Any, account: Account) -> np.ndarray | None:
+    """Weight of every cell, (n_cells,) float64, greatest between 0.5 and 1; None if `source` are places."""
+    if source is None:
         return network.burnable.ravel().astype(np.float64)
-    is_plane = isinstance(ignitions, np.ndarray) and ignitions.shape == network.shape
-    if not (is_plane or hasattr(ignitions, "dims")):
-        return None
-    plane = network.plane(ignitions, "the ignition raster").astype(np.float64)
-    plane = np.where(np.isnan(plane), 0.0, plane)
-    if (plane < 0).any() or not np.isfinite(plane).all():
-        raise InputError("the ignition raster has negative or infinite values, expected probabilities or weights")
-    plane = np.where(network.burnable, plane, 0.0)
-    if plane.sum() == 0.0:
-        raise InputError("the ignition raster is zero on every cell that holds fuel, so no fire can start")
-    return plane.ravel()
-
-
-def _point_cells(network: SpreadNetwork, ignitions: Any) -> np.ndarray:
-    if isinstance(ignitions, (str, os.PathLike)) or hasattr(ignitions, "geometry"):
-        points = read_points(ignitions, network.grid.crs)
-        x, y = points.geometry.x.to_numpy(), points.geometry.y.to_numpy()
+    if isinstance(source, np.ndarray):
+        if source.shape != network.shape:
+            return None
+        plane = source
+    elif hasattr(source, "dims"):
+        plane = source
+    elif isinstance(source, (str, os.PathLike)) and not is_vector(source):
+        plane = np.asarray(ignition_source(source, network.grid, account))
     else:
-        try:
-            pairs = np.asarray(ignitions, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise ParameterError(
-                f"ignitions are {str(ignitions)[:80]!r}, expected (n, 2) coordinates, a raster or points"
-            ) from None
-        if pairs.ndim == 1 and pairs.size == 2:
-            pairs = pairs[None]
-        if pairs.ndim != 2 or pairs.shape[1] != 2 or pairs.shape[0] == 0:
-            raise ParameterError(f"ignitions have shape {pairs.shape}, expected (n, 2) coordinates, a raster or points")
-        x, y = pairs[:, 0], pairs[:, 1]
-    cells = network.grid.cells_of(x, y)
-    problems = []
-    for i, cell in enumerate(cells.tolist()):
-        if cell < 0:
-            problems.append(f"point {i + 1} ({x[i]:.6g}, {y[i]:.6g}) lies outside the grid {network.grid.describe()}")
-        elif not network.burnable.ravel()[cell]:
-            row, col = divmod(cell, network.shape[1])
-            problems.append(
-                f"point {i + 1} ({x[i]:.6g}, {y[i]:.6g}) lies on a cell without fuel (row {row}, col {col})"
-            )
-    if problems:
-        shown = "; ".join(problems[:5]) + (f"; and {len(problems) - 5} more" if len(problems) > 5 else "")
-        raise InputError(f"ignitions cannot burn: {shown}; move or remove them")
-    return cells
+        return None
+    plane = checked_amounts(network, plane, "the ignition raster")
+    if not plane.any():
+        raise InputError("the ignition raster is zero on every cell that holds fuel, so no fire can start")
+    # By a power of two, which changes no draw; the sum of weights near the greatest number would be infinite.
+    return np.asarray(np.ldexp(plane.ravel(), -int(np.frexp(plane.max())[1])))
+
+
+def _drawn_groups(network: SpreadNetwork, source: Any, account: Account) -> tuple[list[np.ndarray], list[str]]:
+    """Cells of every point and polygon, and what to call it."""
+    from firebreak_gis.vectors import read_starts
+
+    frame = read_starts(source, network.grid.crs, explode=False)
+    account.alignment.extend(f"ignitions: {note}" for note in frame.attrs["notes"])
+    # Each point of a multipoint is a fire of its own; a polygon of several parts is one fire.
+    is_point = frame.geometry.geom_type.str.contains("Point")
+    frame = _apart(frame, is_point.to_numpy())
+    prints = footprints(frame, network.grid)
+    bounds = np.searchsorted(prints.feature, np.arange(len(frame) + 1))
+    groups = [prints.cell[one:two] for one, two in itertools.pairwise(bounds)]
+    middle = frame.geometry.representative_point()
+    kinds = ["point" if name == "Point" else "polygon" for name in frame.geometry.geom_type]
+    words = [
+        f"{kind} {i} ({x:.6g}, {y:.6g})"
+        for i, (kind, x, y) in enumerate(zip(kinds, middle.x, middle.y, strict=True), start=1)
+    ]
+    # Points on edges of cells belong where they belong everywhere else.
+    cells = network.grid.cells_of(middle.x.to_numpy(), middle.y.to_numpy())
+    for i in np.flatnonzero(np.array(kinds) == "point").tolist():
+        groups[i] = cells[i : i + 1][cells[i : i + 1] >= 0]
+    return groups, words
+
+
+def _apart(frame: gpd.GeoDataFrame, chosen: np.ndarray) -> gpd.GeoDataFrame:
+    """Take the chosen features apart, in place."""
+    import pandas as pd
+
+    parts = frame[chosen].explode(index_parts=False)
+    return pd.concat([parts, frame[~chosen]]).sort_index(kind="stable").reset_index(drop=True)
+
+
+def _pairs(network: SpreadNetwork, source: Any) -> tuple[list[np.ndarray], list[str]]:
+    """Cells of (x, y) pairs, and what to call each."""
+    try:
+        pairs = np.asarray(source, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ParameterError(
+            f"ignitions are {str(source)[:80]!r}, expected (n, 2) coordinates, a raster, points or polygons"
+        ) from None
+    if pairs.ndim == 1 and pairs.size == 2:
+        pairs = pairs[None]
+    if pairs.ndim != 2 or pairs.shape[1] != 2 or pairs.shape[0] == 0:
+        raise ParameterError(
+            f"ignitions have shape {pairs.shape}, expected (n, 2) coordinates, a raster, points or polygons"
+        )
+    cells = network.grid.cells_of(pairs[:, 0], pairs[:, 1])
+    groups = [np.array([cell] if cell >= 0 else [], np.int64) for cell in cells.tolist()]
+    return groups, [f"point {i} ({x:.6g}, {y:.6g})" for i, (x, y) in enumerate(pairs.tolist(), start=1)]

@@ -17,8 +17,10 @@ if TYPE_CHECKING:
     from firebreak_gis.simulation.durations import Duration
     from firebreak_gis.simulation.embers import Embers
 
-#: `each`: the runs take the given points in turn. `all`: every run starts at all of them at once.
+#: `each`: each run starts at one of the given places. `all`: every run starts at all of them at once.
 IgnitionMode = Literal["each", "all"]
+#: What is done with places where no fire can start.
+Outside = Literal["refuse", "drop"]
 
 
 @dataclass(frozen=True)
@@ -30,7 +32,7 @@ class FireRequest:
     ignitions
         Where they start, see `ignitions.resolve_ignitions`; None is one random cell with fuel a run.
     ignition_mode
-        What points mean: the runs take them in turn, or every run starts at all of them.
+        What points and polygons mean: the runs take them in turn, or every run starts at all of them.
     n_runs
         Number of runs.
     seed
@@ -45,6 +47,8 @@ class FireRequest:
         How often stretches of a barrier hold, where barriers are given that may fail.
     embers
         Embers that fly ahead; None for none.
+    ignitions_outside
+        Whether points and polygons where no fire can start are refused or left out.
     """
 
     ignitions: Any = None
@@ -56,6 +60,7 @@ class FireRequest:
     hold: Hold = field(default_factory=Hold)
     barriers_hold: float = 1.0
     embers: Embers | None = None
+    ignitions_outside: Outside = "refuse"
 
     @property
     def timeless(self) -> bool:

@@ -16,9 +16,11 @@ from shapely.geometry import Point
 
 from firebreak_gis.errors import InputError, OutputError
 from firebreak_gis.files import require_writable
-from firebreak_gis.landscape.planes import ignition_source, mask_plane, value_plane
+from firebreak_gis.landscape.amounts import value_at_risk
+from firebreak_gis.landscape.masks import mask_plane
+from firebreak_gis.landscape.planes import ignition_source
 from firebreak_gis.rasters import files_behind, read_raster
-from firebreak_gis.vectors import read_features, read_lines, read_points, read_polygons
+from firebreak_gis.vectors import read_features, read_points, read_polygons
 
 UTM = "EPSG:32633"
 TRANSFORM = from_origin(500000, 4500000, 20, 20)
@@ -157,7 +159,7 @@ def test_with_leave_the_network_is_reached(tmp_path, server):
 
 def test_no_vector_reaches_the_network(tmp_path, server):
     for name in vectors_that_lead_out(tmp_path, server.address):
-        for read in (read_points, read_lines, read_polygons, read_features):
+        for read in (read_points, read_polygons, read_features):
             with pytest.raises(InputError):
                 read(name, UTM)
         assert server.visits == 0, name
@@ -189,8 +191,8 @@ def test_no_layer_of_the_planner_reaches_the_network(tmp_path, server):
     for name in names:
         for read in (
             lambda source: ignition_source(source, grid),
-            lambda source: mask_plane(source, grid, what="barriers"),
-            lambda source: value_plane(source, grid, what="values", field="people"),
+            lambda source: mask_plane(source, grid, what="barriers", rule="touched"),
+            lambda source: value_at_risk(source, grid, field="people"),
         ):
             with contextlib.suppress(InputError):  # points are handed on unread
                 read(name)

@@ -29,9 +29,11 @@ def test_runs_are_those_of_the_twin(seed, boundary):
     keys = draws.run_keys(seed, "edges", 70)
     for mode in ("each", "all"):
         burns = simulate(network, ignitions=points, ignition_mode=mode, n_runs=70, seed=seed)
+        begun = resolve_ignitions(network, points, mode=mode, n_runs=70, seed=seed)
         count = np.zeros(network.shape, int)
         for run in range(70):
-            start = picked if mode == "all" else [picked[run % 3]]
+            start = begun.cells[begun.starts[run] : begun.starts[run + 1]].tolist()
+            assert start == picked if mode == "all" else start[0] in picked
             burnt = twin.burn(network, int(keys[run]), start)
             assert burns["fire_size"][run] == len(burnt)
             count.ravel()[list(burnt)] += 1

@@ -10,7 +10,7 @@ from shapely.geometry import box
 
 from firebreak_gis.grid import Grid, crs_name
 from firebreak_gis.landscape import read_landscape, read_landscape_folder, write_landscape
-from firebreak_gis.landscape.planes import mask_plane
+from firebreak_gis.landscape.masks import mask_plane
 from firebreak_gis.projections import horizontal, shift_unknown, to_lonlat, unsuitable
 from firebreak_gis.rasters import read_header, read_raster, read_variable, write_raster
 from firebreak_gis.vectors import write_vector
@@ -103,7 +103,7 @@ def test_vectors_with_a_shift_lie_right(tmp_path):
     area = gpd.GeoDataFrame(geometry=[box(corner[0] + 400, corner[1] - 600, corner[0] + 800, corner[1] - 200)], crs=utm)
     area.to_crs(CRS(there)).to_file(tmp_path / "a.gpkg")
     grid = Grid((50, 50), Affine(20, 0, corner[0], 0, -20, corner[1]), CRS(utm))
-    mask = mask_plane(tmp_path / "a.gpkg", grid, what="area")
+    mask = mask_plane(tmp_path / "a.gpkg", grid, what="area", rule="centre")
     expected = np.zeros((50, 50), bool)
     expected[10:30, 20:40] = True
     assert (mask != expected).sum() <= 4  # corners, through rounding

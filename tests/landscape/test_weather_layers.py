@@ -14,8 +14,8 @@ from firebreak_gis.cli import firebreak
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.landscape.target_grid import Account
-from firebreak_gis.landscape.weather import SpreadRequest
 from firebreak_gis.landscape.weather_layers import WeatherReader
+from firebreak_gis.planning.weather import SpreadRequest
 from firebreak_gis.rasters import read_header
 from tests.places import UTM, relief, square, write
 

@@ -10,8 +10,8 @@ import pytest
 
 import firebreak_gis as fb
 from firebreak_gis.errors import InputError, ParameterError
-from firebreak_gis.landscape.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.lattice import NEVER
+from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.weather import Spell, Step, Weather
 from firebreak_gis.simulation.weather_reading import read_weather
 from firebreak_gis.spread import spread_network, weather_networks

@@ -7,12 +7,17 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli import filters, kinds, options, stakes
+from firebreak_gis.cli.layers import read_priority, tell
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.stake_layers import StakesRequest
 
 if TYPE_CHECKING:
+    import numpy as np
+    import xarray as xr
+
     from firebreak_gis.breaks import BudgetUnit
 
 
@@ -20,7 +25,16 @@ if TYPE_CHECKING:
 @click.argument("priority", type=kinds.RASTER)
 @options.output_file("Mask GeoTIFF")
 @options.budget
-@click.option("--cost", type=kinds.RASTER, metavar="RASTER", help="Cost per hectare, for --budget-unit cost.")
+@click.option(
+    "--cost",
+    type=kinds.VECTOR_OR_RASTER,
+    metavar="PATH",
+    help="Cost per hectare, for --budget-unit cost: a raster, or polygons with --cost-field.",
+)
+@click.option("--cost-field", metavar="NAME", help="Column of the cost polygons.")
+@stakes.cost_default
+@filters.where
+@filters.foreign
 @click.option(
     "--polygons",
     type=kinds.NEW_VECTOR,
@@ -37,6 +51,9 @@ def command(
     budget: float,
     budget_unit: BudgetUnit,
     cost: str | None,
+    cost_field: str | None,
+    cost_default: float | None,
+    foreign: bool,
 ) -> None:
     """Cut the first cells of PRIORITY.
 
@@ -45,21 +62,18 @@ def command(
     """
     from firebreak_gis.breaks import Budget, break_polygons, select_breaks
     from firebreak_gis.files import require_writable, together
-    from firebreak_gis.grid import Grid
-    from firebreak_gis.landscape.planes import value_plane
     from firebreak_gis.manifest import provenance
-    from firebreak_gis.rasters import files_behind, read_variable, write_raster
+    from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.vectors import write_vector
 
     files = [output.output] + ([polygons] if polygons else [])
     inputs = files_behind([priority] + ([cost] if cost else []))
     for name in files:
         require_writable(name, overwrite=output.overwrite, forbid=inputs)
-    ranking = read_variable(priority, "priority")
+    ranking = read_priority(priority, session, foreign=foreign)
     prices = None
     if cost:
-        grid = Grid.of(ranking)
-        prices = value_plane(cost, grid, what="cost") * grid.cell_area_ha
+        ranking, prices = _priced(ranking, session, StakesRequest(cost, cost_field, cost_default))
     amount, made = Budget(budget, budget_unit), Budget.made_for(ranking)
     breaks = select_breaks(ranking, budget=amount, cost=prices)
     if made is not None and made != amount:
@@ -79,3 +93,18 @@ def command(
             write_vector(polygons, break_polygons(breaks, ranking), layer="breaks", overwrite=output.overwrite)
     count = breaks.attrs["cells_cut"]
     session.finish({"files": files, "cells_cut": count}, f"{count} cells cut; written to {', '.join(files)}")
+
+
+def _priced(ranking: xr.DataArray, session: Session, request: StakesRequest) -> tuple[xr.DataArray, np.ndarray]:
+    """Take cells whose cost nobody knows out of the ranking; the ranking and the cost of each cell."""
+    import numpy as np
+
+    from firebreak_gis.grid import Grid
+    from firebreak_gis.landscape.target_grid import Account
+
+    account = Account()
+    planes = request.read(Grid.of(ranking), fuel=ranking.to_numpy() > -np.inf, account=account)
+    tell(account, session)
+    if planes.unpriced is not None:
+        ranking = ranking.where(~planes.unpriced, -np.inf)
+    return ranking, np.asarray(planes.cost)

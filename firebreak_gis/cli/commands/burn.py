@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from pathlib import Path
 
 import click
 
-from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli import filters, kinds, options
+from firebreak_gis.cli.layers import checked_fires, read_breaks
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
@@ -17,10 +18,17 @@ from firebreak_gis.simulation.request import FireRequest
 @click.command("burn")
 @click.argument("network", type=kinds.RASTER)
 @options.output_file("Burn frequency GeoTIFF")
-@click.option("--breaks", "mask", type=kinds.RASTER, metavar="RASTER", help="Mask of cut cells (firebreak breaks).")
+@click.option(
+    "--breaks",
+    "mask",
+    type=kinds.VECTOR_OR_RASTER,
+    metavar="PATH",
+    help="Cut cells: a raster (firebreak breaks), or own breaks as polygons or lines.",
+)
 @click.option("--sizes", type=kinds.NEW_TABLE, metavar="FILE", help="Also write the fire sizes as CSV.")
 @options.residual
 @options.fires
+@filters.where
 @options.seed
 @options.fitting("burn")
 @options.common
@@ -34,10 +42,9 @@ def command(
     work alone.
     """
     from firebreak_gis.files import require_writable, together, write_text
-    from firebreak_gis.landscape.planes import ignition_source
     from firebreak_gis.manifest import provenance
     from firebreak_gis.progress import part
-    from firebreak_gis.rasters import files_behind, read_variable, write_raster
+    from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.simulation.fires import burn
     from firebreak_gis.spread.raster import read_network
 
@@ -48,8 +55,8 @@ def command(
     untouched = read_network(network)
     burns = burn(
         untouched,
-        replace(fires, ignitions=ignition_source(fires.ignitions, untouched.grid)),
-        breaks=read_variable(mask, "breaks") if mask else None,
+        checked_fires(fires, untouched, session),
+        breaks=read_breaks(mask, untouched.grid, session) if mask else None,
         progress=part(session.progress, 0.05, 0.95),
     )
     told = asdict(fires) | {"breaks": mask is not None}

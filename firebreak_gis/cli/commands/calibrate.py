@@ -12,7 +12,7 @@ from firebreak_gis.cli.layers import input_files
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, ParameterError
-from firebreak_gis.landscape.weather import WeatherRequest
+from firebreak_gis.planning.weather import WeatherRequest
 
 #: Columns of a table of observed fires; the last two may be missing or empty.
 _COLUMNS = ("landscape", "scar", "start", "duration", "weather", "step")

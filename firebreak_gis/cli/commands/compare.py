@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import kinds, options, parsing, stakes
-from firebreak_gis.cli.layers import checked_fires, input_files, ridges
+from firebreak_gis.cli import filters, kinds, options, parsing, stakes
+from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import FirebreakError, ParameterError, raise_together
@@ -61,6 +61,7 @@ OUTPUTS = {
 )
 @options.dem
 @stakes.stakes
+@filters.where
 @options.fires
 @options.seed
 @options.fitting("compare")
@@ -98,9 +99,13 @@ def command(
     for name in (*files, target / "run.json"):
         require_writable(name, overwrite=output.overwrite, forbid=files_behind(inputs))
     untouched = read_network(network)
-    planes = at_stake.read(untouched.grid, ignitions=fires.ignitions)
+    planes, account = read_stakes(
+        at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions
+    )
     barred, placed = planes.on(untouched)
-    fires = checked_fires(fires if planes.ignition is None else replace(fires, ignitions=planes.ignition), barred)
+    fires = checked_fires(
+        fires if planes.ignition is None else replace(fires, ignitions=planes.ignition), barred, session
+    )
     _require_possible(barred, placed, method_list, budgets, residuals)
     elevation, roads = ridges(dem, barred.grid), planes.roads(untouched)
     plans = {
@@ -131,7 +136,11 @@ def command(
                 parameters=recorded(),
                 inputs=inputs,
                 outputs=files,
-                account={"n_burnable": barred.n_burnable},
+                account={
+                    "n_burnable": barred.n_burnable,
+                    "alignment": account.alignment,
+                    "warnings": account.warnings,
+                },
                 overwrite=output.overwrite,
             )
         )

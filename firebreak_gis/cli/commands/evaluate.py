@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import kinds, options, parsing
-from firebreak_gis.cli.layers import checked_fires, input_files, ridges
+from firebreak_gis.cli import filters, kinds, options, parsing
+from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
@@ -63,6 +64,7 @@ OUTPUTS = {
 @click.option("--alpha", type=float, default=0.01, show_default=True, help="Significance threshold.")
 @options.dem
 @options.fires
+@filters.where
 @options.seed
 @options.fitting("evaluate")
 @options.common
@@ -107,8 +109,13 @@ def command(
         require_writable(name, overwrite=output.overwrite, forbid=files_behind(inputs))
     shares = budgets or default_budgets()
     untouched = read_network(network)
-    placed = StakesRequest().read(untouched.grid, ignitions=fires.ignitions).on(untouched)[1]
-    fires = checked_fires(fires, untouched)
+    planes, account = read_stakes(
+        StakesRequest(), session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions
+    )
+    placed = planes.on(untouched)[1]
+    if planes.ignition is not None:
+        fires = replace(fires, ignitions=planes.ignition)
+    fires = checked_fires(fires, untouched, session)
     elevation = ridges(dem, untouched.grid)
     # A curve needs each plan once, so only the last is kept.
     priorities = {
@@ -138,7 +145,11 @@ def command(
                 inputs=inputs,
                 outputs=files,
                 parameters=recorded(),
-                account={"n_burnable": untouched.n_burnable, "significant_d_f": better},
+                account={
+                    "n_burnable": untouched.n_burnable,
+                    "significant_d_f": better,
+                    "alignment": account.alignment,
+                },
                 overwrite=output.overwrite,
             )
         )

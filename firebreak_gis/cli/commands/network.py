@@ -13,7 +13,7 @@ from firebreak_gis.cli.layers import input_files
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
-from firebreak_gis.landscape.weather import WEATHER, SpreadRequest
+from firebreak_gis.planning.weather import WEATHER, SpreadRequest
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import options, stakes, weather_options
-from firebreak_gis.cli.layers import input_files, read_layers
+from firebreak_gis.cli import filters, options, stakes, weather_options
+from firebreak_gis.cli.layers import input_files, read_layers, read_stakes
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
@@ -16,8 +16,8 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
-from firebreak_gis.landscape.weather import SpreadRequest
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
+from firebreak_gis.planning.weather import SpreadRequest
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
@@ -51,6 +51,7 @@ OUTPUTS = {
 @options.leaks
 @click.option("--refine", is_flag=True, help="Improve the breaks by local search on simulated fires; takes longer.")
 @stakes.stakes
+@filters.where
 @options.fires
 @options.seed
 @weather_options.spread
@@ -95,7 +96,17 @@ def command(
         rehearse(foreseen, session)
         return
     landscape = read_layers(layers, foreseen.survey, session, progress=part(session.progress, 0.0, 0.1, "align: "))
-    planes = at_stake.read(Grid.of(landscape["burnable"]), ignitions=fires.ignitions, landscape=landscape)
+    planes, account = read_stakes(
+        at_stake,
+        session,
+        grid=Grid.of(landscape["burnable"]),
+        fuel=landscape["burnable"].to_numpy() > 0,
+        ignitions=fires.ignitions,
+        landscape=landscape,
+        strict=layers.strict,
+    )
+    for name, sentences in (("alignment", account.alignment), ("warnings", account.warnings)):
+        landscape.attrs[name] = [*landscape.attrs.get(name, []), *sentences]
     if planes.ignition is not None:  # a raster: it shapes the plan, and the fires start by it
         request = replace(request, fires=replace(fires, ignitions=None))
     result = make_plan(

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import click
 
-from firebreak_gis.cli import kinds, options, stakes
-from firebreak_gis.cli.layers import input_files, ridges
+from firebreak_gis.cli import filters, kinds, options, stakes
+from firebreak_gis.cli.layers import input_files, read_stakes, ridges
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
@@ -23,6 +23,7 @@ from firebreak_gis.simulation.request import FireRequest
 @options.dem
 @options.ignition_map
 @stakes.stakes
+@filters.where
 @options.seed
 @options.fitting("rank")
 @options.common
@@ -52,7 +53,7 @@ def command(
     inputs = files_behind(input_files([network, dem, *fires.sources, *at_stake.sources]))
     require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
     untouched = read_network(network)
-    planes = at_stake.read(untouched.grid, ignitions=fires.ignitions)
+    planes, _ = read_stakes(at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions)
     barred, placed = planes.on(untouched)
     found = feasibility(barred, placed, budget=asked.amount, width=asked.width, residual=fires.residual)
     found.require()

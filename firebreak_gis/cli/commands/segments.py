@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import click
 
-from firebreak_gis.cli import kinds, options, stakes
+from firebreak_gis.cli import filters, kinds, options, stakes
+from firebreak_gis.cli.layers import read_breaks, read_priority, read_stakes
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
+from firebreak_gis.errors import InputError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 
 
 @click.command("segments")
 @click.argument("network", type=kinds.RASTER)
-@click.argument("mask", metavar="BREAKS", type=kinds.RASTER)
+@click.argument("mask", metavar="BREAKS", type=kinds.VECTOR_OR_RASTER)
 @click.option(
     "-o",
     "--output",
@@ -34,9 +36,11 @@ from firebreak_gis.landscape.stake_layers import StakesRequest
     metavar="RASTER",
     help="Ranking; decides between segments that save equally much.",
 )
+@filters.foreign
 @click.option("--dem", type=kinds.RASTER, metavar="RASTER", help="Elevation on any grid, for the slopes [m].")
 @options.ignition_map
 @stakes.stakes
+@filters.where
 @click.option("--overwrite", is_flag=True, help="Replace existing files.")
 @options.common
 @built(output=OutputRequest, at_stake=StakesRequest)
@@ -49,6 +53,7 @@ def command(
     priority: str | None,
     dem: str | None,
     ignitions: str | None,
+    foreign: bool,
     **given: str | None,
 ) -> None:
     """Take BREAKS on NETWORK apart into segments to build, best first.
@@ -61,7 +66,7 @@ def command(
     from firebreak_gis.construction.writing import write_compartments, write_segments
     from firebreak_gis.files import require_writable
     from firebreak_gis.landscape.planes import elevation_plane
-    from firebreak_gis.rasters import files_behind, read_variable
+    from firebreak_gis.rasters import files_behind
     from firebreak_gis.spread.raster import read_network
 
     parts = given["compartments"]
@@ -70,13 +75,18 @@ def command(
     for name in files:
         require_writable(name, overwrite=output.overwrite, forbid=inputs)
     untouched = read_network(network)
-    barred, placed = at_stake.read(untouched.grid, ignitions=ignitions).on(untouched)
-    cut = read_variable(mask, "breaks")
+    planes, _ = read_stakes(at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=ignitions)
+    barred, placed = planes.on(untouched)
+    cut = read_breaks(mask, untouched.grid, session)
+    if planes.unpriced is not None and (unknown := int((planes.unpriced & cut).sum())):
+        raise InputError(
+            f"the cost of {unknown} of the cells cut is not known; say what cutting a hectare costs (--cost-default)"
+        )
     session.progress(0.2, "segments")
     lines, polygons = segments(
         barred,
         cut,
-        priority=read_variable(priority, "priority") if priority else None,
+        priority=read_priority(priority, session, foreign=foreign) if priority else None,
         elevation=elevation_plane(dem, barred.grid) if dem else None,
         cost=placed.cost,
         value=placed.value,

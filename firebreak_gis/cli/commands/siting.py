@@ -48,7 +48,7 @@ def command(
     from firebreak_gis.files import require_writable
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import read_landscape_folder
-    from firebreak_gis.landscape.planes import mask_plane
+    from firebreak_gis.landscape.masks import mask_plane
     from firebreak_gis.landscape.siting import site
     from firebreak_gis.manifest import provenance
     from firebreak_gis.rasters import files_behind, write_raster
@@ -60,8 +60,8 @@ def command(
     session.progress(0.2, "factors")
     found = site(
         landscape,
-        roads=mask_plane(roads, grid, what="roads") if roads else None,
-        rivers=mask_plane(rivers, grid, what="rivers") if rivers else None,
+        roads=mask_plane(roads, grid, what="roads", rule="touched") if roads else None,
+        rivers=mask_plane(rivers, grid, what="rivers", rule="touched") if rivers else None,
         **weights,
     )
     factors = [name.removeprefix("suitability_") for name in map(str, found) if name != "suitability"]

@@ -12,7 +12,7 @@ from firebreak_gis.cli import kinds, options, weather_options
 from firebreak_gis.cli.layers import input_files
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
-from firebreak_gis.landscape.weather import SpreadRequest, WeatherRequest
+from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 
 #: What the command writes into its folder.
 OUTPUTS = {

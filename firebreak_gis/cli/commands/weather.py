@@ -7,7 +7,7 @@ import click
 from firebreak_gis.cli import kinds, options, weather_options
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
-from firebreak_gis.landscape.weather import WeatherRequest
+from firebreak_gis.planning.weather import WeatherRequest
 
 
 @click.command("weather")
