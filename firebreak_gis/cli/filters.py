@@ -18,7 +18,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 foreign = click.option(
     "--foreign",
     is_flag=True,
-    help="Take a raster that firebreak rank did not write as a priority: its greatest numbers are cut first.",
+    help="Take a raster that was not written as a priority all the same: its greatest numbers are cut first.",
 )
 
 

@@ -87,7 +87,7 @@ def test_rasters_of_ignitions_lie_on_the_grid(network):
         simulate(network, ignitions=moved.dataarray(weights, "burn_frequency"))
     with pytest.raises(GridError, match="another grid"):
         simulate(network, breaks=moved.dataarray(weights, "breaks"))
-    with pytest.raises(InputError, match="infinite"):
+    with pytest.raises(InputError, match="finite numbers"):
         simulate(network, ignitions=np.where(network.burnable, np.inf, 0.0))
 
 
