@@ -5,15 +5,18 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from firebreak_gis import __version__
 from firebreak_gis.errors import InputError, OutputError, ParameterError
 from firebreak_gis.files import sha256, write_text
+from firebreak_gis.files.outputs import Output, Writing
 
 SOFTWARE = "firebreak_gis"
+
+R = TypeVar("R")
 
 
 def provenance(parameters: Mapping[str, Any], *, seed: int | None = None) -> dict[str, str]:
@@ -68,6 +71,31 @@ def write_manifest(
     }
     write_text(target, json.dumps(document, indent=2, ensure_ascii=False) + "\n", overwrite=overwrite)
     return target
+
+
+def account(command: str, tell: Callable[[R], Mapping[str, Any]]) -> Output[R]:
+    """The last output of every table: `run.json`.
+
+    Parameters
+    ----------
+    command
+        Name of the command.
+    tell
+        What to keep of a result, see `write_manifest`.
+    """
+
+    def write(result: R, path: Path, how: Writing) -> None:
+        write_manifest(
+            path,
+            command=command,
+            parameters=how.parameters,
+            inputs=how.inputs,
+            outputs=how.written,
+            account=tell(result),
+            overwrite=how.overwrite,
+        )
+
+    return Output("run.json", "Account of the run", write)
 
 
 def _output(path: str | os.PathLike[str], folder: Path) -> dict[str, str]:

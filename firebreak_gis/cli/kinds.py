@@ -18,6 +18,7 @@ from firebreak_gis.landscape import legends
 from firebreak_gis.landscape.continuity import CONTINUITY
 from firebreak_gis.rasters.units import ANGLE, SHARE, SPEED
 from firebreak_gis.schema import DENSITY
+from firebreak_gis.vectors import DRIVERS
 
 
 class Kind(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in newer releases
@@ -67,11 +68,26 @@ class Whole(click.types.IntParamType):
 
 
 class NewFile(click.Path):
-    """A file that the command writes; `name` is `new-raster`, `new-vector`, `new-table` or `new-config`."""
+    """A file that the command writes.
 
-    def __init__(self, name: str) -> None:
+    Parameters
+    ----------
+    name
+        `new-raster`, `new-vector`, `new-table` or `new-config`.
+    extensions
+        Those that it may have.
+    """
+
+    def __init__(self, name: str, extensions: Sequence[str]) -> None:
         super().__init__(dir_okay=False)
         self.name = name
+        self.extensions = tuple(extensions)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the path, whose extension is one of those."""
+        path = super().convert(value, param, ctx)
+        parsing.require_extension(str(path), self.extensions, _flag(param))
+        return path
 
 
 def pairs(_: click.Context, param: click.Parameter, words: Any) -> dict[str, str]:
@@ -117,7 +133,8 @@ WIND_COMPONENTS = _from_words(parsing.components)
 LAYER_CRS = _from_words(parsing.layer_crs)
 LAYER_NODATA = _from_words(parsing.layer_numbers)
 LAYER_BAND = _from_words(parsing.layer_band)
-NEW_RASTER = NewFile("new-raster")
-NEW_TABLE = NewFile("new-table")
-NEW_VECTOR = NewFile("new-vector")
-NEW_CONFIG = NewFile("new-config")
+NEW_RASTER = NewFile("new-raster", (".tif", ".tiff"))
+NEW_TABLE = NewFile("new-table", (".csv",))
+NEW_VECTOR = NewFile("new-vector", tuple(DRIVERS))
+NEW_CONFIG = NewFile("new-config", (".toml", ".json"))
+NEW_LAYERS = NewFile("new-vector", (".gpkg",))

@@ -69,51 +69,6 @@ def common(command: F) -> F:
     return wrapper  # type: ignore[return-value]
 
 
-def _settle_xarray() -> None:
-    """Make a first array while nothing large is held.
-
-    xarray then loads dask if it is installed, and dask keeps the calling functions' variables for good.
-    """
-    import numpy as np
-    import xarray as xr
-
-    xr.Variable("x", np.zeros(1))
-
-
-def claiming_output(command: F, *, folder: bool) -> F:
-    """Keep other runs from writing to `output` while the command runs."""
-
-    @functools.wraps(command)
-    def wrapper(*args: Any, **kwargs: Any) -> Any:
-        from firebreak_gis.files import claiming
-
-        if kwargs.get("dry_run"):
-            return command(*args, **kwargs)
-        _settle_xarray()  # the command's own variables do not exist yet
-        with claiming(kwargs["output"], folder=folder):
-            return command(*args, **kwargs)
-
-    return wrapper  # type: ignore[return-value]
-
-
-def claiming_folder(command: F) -> F:
-    """Keep other runs out of the folder `output` while the command runs; it is made if missing."""
-    return claiming_output(command, folder=True)
-
-
-def output_folder(command: F) -> F:
-    """-o DIR and --overwrite."""
-    command = claiming_folder(command)
-    command = click.option(
-        "-o",
-        "--output",
-        type=click.Path(file_okay=False),
-        required=True,
-        help="Folder to write into; made if it does not exist.",
-    )(command)
-    return overwrite(command)
-
-
 def dry_run(command: F) -> F:
     """--dry-run."""
     return click.option(
@@ -159,37 +114,6 @@ def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -
     names += [given["method"]] if "method" in given else []
     needed = memory.bytes_for(work, rows * cols, method=",".join(names), clock=clock)
     memory.require_memory(needed, f"firebreak {work} on {rows} x {cols} cells", max_memory=max_memory)
-
-
-def output_file(what: str) -> Callable[[F], F]:
-    """-o FILE and --overwrite."""
-
-    def decorate(command: F) -> F:
-        return overwrite(
-            click.option(
-                "-o",
-                "--output",
-                type=kinds.NEW_RASTER,
-                metavar="FILE",
-                required=True,
-                help=f"{what} to write.",
-            )(claiming_output(command, folder=False))
-        )
-
-    return decorate
-
-
-def overwrite(command: F) -> F:
-    """--overwrite and --co."""
-    command = click.option(
-        "--co",
-        "creation_options",
-        multiple=True,
-        callback=kinds.pairs,
-        metavar="NAME=VALUE",
-        help="Creation option of GDAL's COG driver, e.g. COMPRESS=ZSTD.",
-    )(command)
-    return click.option("--overwrite", is_flag=True, help="Replace existing files.")(command)
 
 
 def inputs(command: F) -> F:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from firebreak_gis import plugins
-from firebreak_gis.errors import ParameterError
+from firebreak_gis.errors import OutputError, ParameterError
 from firebreak_gis.rasters.units import SPEED, Quantity
 
 #: The layers of a landscape, as the command line names them.
@@ -86,6 +87,18 @@ def require_least(number: int, least: int, name: str) -> None:
     """Refuse a whole number that is too small."""
     if number < least:
         raise ParameterError(f"{name} is {number}, expected a whole number of at least {least}")
+
+
+def require_extension(path: str, extensions: Sequence[str], option: str) -> None:
+    """Refuse the name of a file that cannot be written.
+
+    Raises
+    ------
+    OutputError
+        If its extension is none of those.
+    """
+    if Path(path).suffix.lower() not in extensions:
+        raise OutputError(f"{option} got {path!r}, expected the extension {' or '.join(extensions)}")
 
 
 def byte_size(text: str | None, option: str = "--max-memory") -> int | None:

@@ -14,6 +14,7 @@ from firebreak_gis.errors import InputError, OutputError
 from firebreak_gis.rasters import file_of, files_behind
 
 if TYPE_CHECKING:
+    from firebreak_gis.files.outputs import Output, Writing
     from firebreak_gis.files.request import OutputRequest
     from firebreak_gis.landscape import Survey
     from firebreak_gis.landscape.request import LandscapeRequest
@@ -69,7 +70,7 @@ def foresee(
     layers: LandscapeRequest,
     output: OutputRequest,
     session: Session,
-    names: Sequence[str],
+    table: Sequence[Output[Any]],
     *,
     method: str | None = None,
 ) -> Foreseen:
@@ -81,8 +82,8 @@ def foresee(
         What `align` or `plan` is asked.
     session
         Gets a warning where the disk may not suffice.
-    names
-        Names of the files in the output folder.
+    table
+        What is written into the output folder.
     method
         Ranking of a plan; None if layers are only aligned.
 
@@ -95,6 +96,7 @@ def foresee(
     OutputError
         If it does not fit on the disk.
     """
+    from firebreak_gis.files.outputs import names
     from firebreak_gis.landscape import survey
 
     found = survey(layers)
@@ -111,7 +113,7 @@ def foresee(
         memory.allowed(layers.max_memory),
         size,
         _require_disk(Path(output.output), size, session),
-        tuple(str(Path(output.output) / name) for name in names),
+        tuple(str(Path(output.output) / name) for name in names(table, found.variables)),
     )
 
 
@@ -156,23 +158,25 @@ def require_possible(request: PlanRequest) -> None:
             raise InputError(f"--{option} {name} does not exist; check the name and the folder {folder}")
 
 
-def require_outputs(output: OutputRequest, names: Sequence[str], inputs: Sequence[str]) -> None:
-    """Refuse outputs that must not be written, without making their folder.
+def require_outputs(output: OutputRequest, table: Sequence[Output[Any]], inputs: Sequence[str]) -> Writing:
+    """Refuse outputs that must not be written, without making their folder; return how to write them.
 
     Raises
     ------
     OutputError
         As `files.require_writable`.
     """
+    from firebreak_gis.cli.requests import recorded
     from firebreak_gis.files import require_writable
+    from firebreak_gis.files.outputs import Writing, require_all
 
-    folder, inputs = Path(output.output), files_behind(inputs)
+    folder = Path(output.output)
+    how = Writing(output.overwrite, inputs, files_behind(inputs), output.creation_options, recorded())
     if folder.is_dir():
-        for name in names:
-            require_writable(folder / name, overwrite=output.overwrite, forbid=inputs)
-        return
-    # The nearest folder that there is must take a new one.
-    require_writable(_standing(folder) / f"{folder.name}.new", forbid=inputs)
+        require_all(table, folder, how)
+    else:  # the nearest folder that there is must take a new one
+        require_writable(_standing(folder) / f"{folder.name}.new", forbid=how.forbid)
+    return how
 
 
 def _require_disk(folder: Path, size: int, session: Session) -> int:

@@ -13,7 +13,7 @@ import itertools
 import os
 import shutil
 import tempfile
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -28,9 +28,9 @@ _PIECE = 1 << 20
 
 @dataclass
 class _Batch:
-    """Files of one folder that are finished but not yet in place."""
+    """Files of one or more folders that are finished but not yet in place."""
 
-    folder: Path
+    folders: frozenset[Path]
     alone: bool
     locks: contextlib.ExitStack
     parts: dict[Path, Path] = field(default_factory=dict)
@@ -51,15 +51,15 @@ class _Batch:
     def drop(self) -> None:
         """Remove what was not moved."""
         for part in self.parts.values():
-            remove_parts(self.folder, part.name)
+            remove_parts(part.parent, part.name)
 
 
 _batch: ContextVar[_Batch | None] = ContextVar("_batch", default=None)
 
 
 @contextlib.contextmanager
-def together(folder: str | os.PathLike[str], *, alone: bool = False) -> Iterator[Path]:
-    """Let the files that the block writes into `folder` appear together at its end, or none of them.
+def together(folder: str | os.PathLike[str], *more: str | os.PathLike[str], alone: bool = False) -> Iterator[Path]:
+    """Let the files that the block writes into folders appear together at its end, or none of them.
 
     Where a file cannot be written, or the block is left by an exception, all old files stay. The file
     written last is taken as the account of the others: it is the first of the old ones to go and the last
@@ -67,10 +67,10 @@ def together(folder: str | os.PathLike[str], *, alone: bool = False) -> Iterator
 
     Parameters
     ----------
-    folder
+    folder, more
         Where they go. Files that the block writes elsewhere are moved at once.
     alone
-        Whether no other run may write a set of files into the folder meanwhile.
+        Whether no other run may write a set of files into `folder` meanwhile.
 
     Yields
     ------
@@ -84,11 +84,12 @@ def together(folder: str | os.PathLike[str], *, alone: bool = False) -> Iterator
     """
     place = Path(os.path.realpath(folder))
     outer = _batch.get()
-    if outer is not None and outer.folder == place:
+    places = frozenset((place, *(Path(os.path.realpath(other)) for other in more)))
+    if outer is not None and places <= outer.folders:
         yield Path(folder)
         return
     lock = locked(place, _FOLDER_KEY) if alone else contextlib.nullcontext()
-    with lock, _collecting(place, alone) as batch:
+    with lock, _collecting(places, alone) as batch:
         token = _batch.set(batch)
         try:
             yield Path(folder)
@@ -167,9 +168,9 @@ def replacing(
     place = require_writable(target, overwrite=overwrite, forbid=forbid)
     outer = _batch.get()
     with contextlib.ExitStack() as stack:
-        batch = outer if outer is not None and outer.folder == place.parent else None
+        batch = outer if outer is not None and place.parent in outer.folders else None
         if batch is None:
-            batch = stack.enter_context(_collecting(place.parent))
+            batch = stack.enter_context(_collecting(frozenset((place.parent,))))
         if place not in batch.parts and batch.locks.enter_context(locked(place.parent, key_of(place))):
             remove_stale(place)
         part = place.with_name(f"{PREFIX}{key_of(place)}-{os.getpid()}-{next(_serial)}.part{place.suffix}")
@@ -193,18 +194,18 @@ def replacing(
 
 
 @contextlib.contextmanager
-def _collecting(folder: Path, alone: bool = False) -> Iterator[_Batch]:
-    """Collect finished files of a folder and move them when the block ends well."""
+def _collecting(folders: frozenset[Path], alone: bool = False) -> Iterator[_Batch]:
+    """Collect finished files of folders and move them when the block ends well."""
     with contextlib.ExitStack() as locks:
-        batch = _Batch(folder, alone, locks)
+        batch = _Batch(folders, alone, locks)
         try:
             yield batch
             batch.commit()
         except FirebreakError:
             raise
         except OSError as error:
-            names = ", ".join(place.name for place in batch.parts)
-            raise OutputError(f"cannot write {names} in {folder}: {reason(error)}") from error
+            names = ", ".join(str(place) for place in batch.parts)
+            raise OutputError(f"cannot write {names}: {reason(error)}") from error
         finally:
             batch.drop()
 
@@ -269,7 +270,7 @@ def remove_file(path: str | os.PathLike[str]) -> None:
     """
     place = Path(os.path.realpath(path))
     batch = _batch.get()
-    if batch is not None and batch.folder == place.parent:
+    if batch is not None and place.parent in batch.folders:
         batch.removals.append(place)
         return
     try:
@@ -298,6 +299,8 @@ def require_writable(
             raise OutputError(f"the folder {place.parent} of the output {place.name} does not exist; create it first")
         if place.is_dir():
             raise OutputError(f"the output {place} is a folder, expected the name of a file")
+        if place.exists() and not place.is_file():
+            raise OutputError(f"the output {place} is a device or a pipe, expected the name of a file")
         for source in forbid:
             if same_file(place, source):
                 raise OutputError(
@@ -319,6 +322,29 @@ def require_writable(
     except OSError as error:
         raise OutputError(f"cannot write {place}: {reason(error)}") from error
     return place
+
+
+def require_distinct(files: Mapping[str, str | os.PathLike[str]]) -> None:
+    """Refuse outputs that cannot be, before one of them is claimed.
+
+    Parameters
+    ----------
+    files
+        Path by the option that names it.
+
+    Raises
+    ------
+    OutputError
+        If two are one file, or one is a device or a pipe, which nothing is ever written to.
+    """
+    named = list(files.items())
+    for i, (option, path) in enumerate(named):
+        for other, earlier in named[:i]:
+            if same_file(path, earlier):
+                raise OutputError(f"{other} and {option} both name the output {path}; give them different names")
+        place = Path(path)
+        if place.exists() and not (place.is_file() or place.is_dir()):
+            raise OutputError(f"the output {path} is a device or a pipe, expected the name of a file")
 
 
 def same_file(one: str | os.PathLike[str], other: str | os.PathLike[str]) -> bool:

@@ -8,9 +8,9 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from firebreak_gis.errors import InputError, OutputError
-from firebreak_gis.files import make_folder, remove_file, require_writable, together
+from firebreak_gis.errors import InputError
 from firebreak_gis.files.commit import unfinished
+from firebreak_gis.files.outputs import Output, Writing, write_all
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.fuel import INSTEAD, LAYERS, burnable_cells
 from firebreak_gis.rasters import read_variable, write_raster
@@ -45,39 +45,46 @@ def write_landscape(
     list of pathlib.Path
         The files, in order.
     """
-    names = [name for name in LAYERS + INSTEAD if name in dataset]
-    validate(dataset, [*LAYERS, *names[len(LAYERS) :]])
-    told = {key: list(dataset.attrs[key]) for key in ("alignment", "warnings") if key in dataset.attrs}
-    told |= {"legend": dataset.attrs["legend"]} if "legend" in dataset.attrs else {}
-    barred = list(forbid)
-    with together(make_folder(folder), alone=True) as place:
-        for name in names:
-            require_writable(place / f"{name}.tif", overwrite=overwrite, forbid=barred)
-        for name in sorted(set(INSTEAD) - set(names)):
-            _remove_plane(place / f"{name}.tif", overwrite, barred)
-        return [
-            write_raster(
-                place / f"{name}.tif",
-                dataset[name],
-                overwrite=overwrite,
-                forbid=barred,
-                creation_options=creation_options,
-                provenance={**(provenance or {}), **(told if name == "elevation" else {})},
-            )
-            for name in names
-        ]
+    how = Writing(overwrite, forbid=list(forbid), creation_options=creation_options or {}, tags=provenance or {})
+    return write_all(OUTPUTS, dataset, folder, how, variables=dataset)
 
 
-def _remove_plane(old: Path, overwrite: bool, barred: list[str | os.PathLike[str]]) -> None:
-    """A plane of another landscape would be taken for one of this."""
-    if not old.exists():
-        return
-    if not overwrite:
-        raise OutputError(
-            f"{old} belongs to another landscape; choose another folder or allow overwriting (--overwrite)"
+def _layer(name: str, label: str, needs: str = "") -> Output[xr.Dataset]:
+    def write(dataset: xr.Dataset, path: Path, how: Writing) -> None:
+        told: dict[str, Any] = {}
+        if name == LAYERS[0]:
+            validate(dataset, [*LAYERS, *(other for other in INSTEAD if other in dataset)])
+            told = {key: list(dataset.attrs[key]) for key in ("alignment", "warnings") if key in dataset.attrs}
+            told |= {"legend": dataset.attrs["legend"]} if "legend" in dataset.attrs else {}
+        write_raster(
+            path,
+            dataset[name],
+            overwrite=how.overwrite,
+            forbid=how.forbid,
+            creation_options=how.creation_options,
+            provenance={**how.tags, **told},
         )
-    require_writable(old, overwrite=True, forbid=barred)
-    remove_file(old)
+
+    return Output(f"{name}.tif", label, write, needs)
+
+
+_LABELS = {
+    "elevation": "Elevation on the common grid",
+    "vegetation": "Vegetation classes on the common grid",
+    "density": "Density classes on the common grid",
+    "vegetation_effect": "Effect of the vegetation, where the legend gives numbers in place of classes",
+    "density_effect": "Effect of the density, where the legend gives numbers in place of classes",
+    "rate": "Rate of spread on flat calm dry ground, where the legend gives it",
+    "dead_load": "Load of dead fuel, where the legend gives it",
+    "live_load": "Load of live fuel, where the legend gives it",
+    "heat_content": "Heat content of the fuel, where the legend gives it",
+    "live_moisture": "Moisture of the live fuel, where the legend gives it",
+}
+
+#: A landscape as files; what only some legends give is written where it is there.
+OUTPUTS: tuple[Output[xr.Dataset], ...] = tuple(
+    _layer(name, _LABELS[name], name if name in INSTEAD else "") for name in LAYERS + INSTEAD
+)
 
 
 def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:

@@ -96,12 +96,18 @@ def fuel_of(
             f"({lacking.mean():.2%} of the grid)"
         )
     classes = np.where(np.isnan(density) | (vegetation == 0), 0, density).astype(np.uint8)
-    given_instead = {name: _effect(legend, name, index) for name in INSTEAD} | {"density_effect": density_effect}
+    numbers = {name: _effect(legend, name, index) for name in INSTEAD} | {"density_effect": density_effect}
     burns = classes > 0
-    instead = {
-        name: np.where(burns, plane, np.float32(np.nan)) for name, plane in given_instead.items() if plane is not None
-    }
+    instead = {name: np.where(burns, plane, np.float32(np.nan)) for name, plane in numbers.items() if plane is not None}
     return Fuel(vegetation, classes, instead)
+
+
+def given_instead(legend: Legend, density_legend: Legend | None) -> set[str]:
+    """Variables that `fuel_of` makes where legends give numbers; `density_legend` is None without a raster for it."""
+    found = {name for name in INSTEAD if not np.isnan(legend.column(name, np.nan)).all()}
+    if density_legend is not None and not np.isnan(density_legend.column("density_effect", np.nan)).all():
+        found.add("density_effect")
+    return found
 
 
 def burnable_cells(layers: Mapping[Any, Any]) -> np.ndarray:

@@ -15,6 +15,7 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.alignment import plan
 from firebreak_gis.landscape.continuity import CONTINUITY
 from firebreak_gis.landscape.flammap import LandscapeFile, read_landscape_file
+from firebreak_gis.landscape.fuel import given_instead
 from firebreak_gis.landscape.legends import Legend, read_legend
 from firebreak_gis.landscape.legends.burning import BURNING
 from firebreak_gis.landscape.request import LandscapeRequest
@@ -55,6 +56,13 @@ class Survey:
     density_legend: Legend
     density: str | None
     account: Account
+
+    @property
+    def variables(self) -> set[str]:
+        """Variables that the landscape will have, see `fuel.fuel_of`."""
+        return {"elevation", "vegetation", "density"} | given_instead(
+            self.legend, self.density_legend if "density" in self.layers else None
+        )
 
     @property
     def memory(self) -> int:

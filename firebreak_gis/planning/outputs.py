@@ -1,42 +1,106 @@
-"""A plan as files: rasters, vectors, tables, the picture, and the account of the run."""
+"""A plan as files: one table. To add an output of a plan, add an `Output` to it, and a row to the README's table."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.construction.writing import write_compartments, write_segments
 from firebreak_gis.evaluation.curves import table
-from firebreak_gis.files import make_folder, require_writable, together, write_text
-from firebreak_gis.landscape import write_landscape
-from firebreak_gis.manifest import provenance, write_manifest
-from firebreak_gis.progress import Progress, part
-from firebreak_gis.rasters import write_raster
+from firebreak_gis.files import write_text
+from firebreak_gis.files.outputs import Output, Writing, write_all
+from firebreak_gis.landscape.folder import OUTPUTS as LAYERS
+from firebreak_gis.manifest import account, provenance
+from firebreak_gis.progress import Progress
+from firebreak_gis.rasters import files_behind, write_raster
 from firebreak_gis.vectors import write_vector
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
 
     from firebreak_gis.planning.pipeline import Plan
 
+
+def _raster(name: str, label: str, get: Callable[[Plan], xr.DataArray], *, main: bool = False) -> Output[Plan]:
+    def write(plan: Plan, path: Path, how: Writing) -> None:
+        write_raster(
+            path,
+            get(plan),
+            overwrite=how.overwrite,
+            forbid=how.forbid,
+            provenance=how.tags,
+            creation_options=how.creation_options,
+        )
+
+    return Output(name, label, write, main=main)
+
+
+def _table(name: str, label: str, get: Callable[[Plan], pd.DataFrame]) -> Output[Plan]:
+    def write(plan: Plan, path: Path, how: Writing) -> None:
+        write_text(path, get(plan).to_csv(index=False, lineterminator="\n"), overwrite=how.overwrite)
+
+    return Output(name, label, write)
+
+
+def _breaks(plan: Plan, path: Path, how: Writing) -> None:
+    write_vector(path, plan.polygons, layer="breaks", overwrite=how.overwrite, forbid=how.forbid)
+
+
+def _segments(plan: Plan, path: Path, how: Writing) -> None:
+    write_segments(path, *plan.segments, overwrite=how.overwrite, forbid=how.forbid)
+
+
+def _compartments(plan: Plan, path: Path, how: Writing) -> None:
+    write_compartments(path, plan.compartments, overwrite=how.overwrite, forbid=how.forbid)
+
+
+def _overview(plan: Plan, path: Path, how: Writing) -> None:
+    from firebreak_gis.report.figures import save
+    from firebreak_gis.report.overview import overview_figure
+
+    figure = overview_figure(
+        plan.landscape,
+        plan.breaks,
+        plan.before,
+        plan.after,
+        plan.evaluation,
+        title=_headline(plan),
+        budget=float(plan.share),
+    )
+    save(figure, path, overwrite=how.overwrite)
+
+
+def _account(plan: Plan) -> dict[str, Any]:
+    return {
+        "grid": plan.network.grid.describe(),
+        "alignment": plan.landscape.attrs.get("alignment", []),
+        "warnings": [*plan.landscape.attrs.get("warnings", []), *plan.feasibility.warnings],
+        "feasibility": plan.feasibility.account,
+        "summary": plan.summary,
+    }
+
+
 #: What a plan is written as.
-PLAN_FILES = (
-    "elevation.tif",
-    "vegetation.tif",
-    "density.tif",
-    "priority.tif",
-    "breaks.tif",
-    "burn_frequency.tif",
-    "burn_frequency_with_breaks.tif",
-    "breaks.gpkg",
-    "segments.gpkg",
-    "compartments.gpkg",
-    "fire_sizes.csv",
-    "evaluation.csv",
-    "overview.png",
-    "run.json",
+OUTPUTS: tuple[Output[Plan], ...] = (
+    *(layer.of(lambda plan: plan.landscape) for layer in LAYERS),
+    _raster("priority.tif", "Cutting priority", lambda plan: plan.priority),
+    _raster("breaks.tif", "Fire breaks", lambda plan: plan.breaks, main=True),
+    _raster("burn_frequency.tif", "Burn frequency without breaks", lambda plan: plan.before["burn_frequency"]),
+    _raster(
+        "burn_frequency_with_breaks.tif",
+        "Burn frequency with the breaks",
+        lambda plan: plan.after["burn_frequency"],
+    ),
+    Output("breaks.gpkg", "Fire breaks as polygons", _breaks, main=True),
+    Output("segments.gpkg", "Segments to build, in order", _segments, main=True),
+    Output("compartments.gpkg", "Compartments between the breaks", _compartments, main=True),
+    _table("fire_sizes.csv", "Size of every fire without and with the breaks", lambda plan: plan.fire_sizes),
+    _table("evaluation.csv", "Burnt share at every budget", lambda plan: table(plan.evaluation)),
+    Output("overview.png", "Picture of the plan", _overview),
+    account("plan", _account),
 )
 
 
@@ -72,7 +136,7 @@ def write_plan(
     Returns
     -------
     list of Path
-        The files of `PLAN_FILES`, each raster with a QGIS style beside it.
+        The files of `OUTPUTS`, each raster with a QGIS style beside it.
 
     Raises
     ------
@@ -80,84 +144,16 @@ def write_plan(
         If a file exists and `overwrite` is not set, or cannot be written; checked for all before the first is
         written.
     """
-    report = part(progress, 0.0, 1.0, "write ")
     recorded = parameters or result.parameters
-    with together(make_folder(folder), alone=True) as target:
-        for name in PLAN_FILES:
-            require_writable(target / name, overwrite=overwrite, forbid=inputs)
-        written = _write_layers(result, target, recorded, creation_options, overwrite, report)
-        written += _write_tables(result, target, overwrite, report)
-        account = {
-            "grid": result.network.grid.describe(),
-            "alignment": result.landscape.attrs.get("alignment", []),
-            "warnings": [*result.landscape.attrs.get("warnings", []), *result.feasibility.warnings],
-            "feasibility": result.feasibility.account,
-            "summary": result.summary,
-        }
-        written.append(
-            write_manifest(
-                target / "run.json",
-                command="plan",
-                parameters=recorded,
-                inputs=inputs,
-                outputs=written,
-                account=account,
-                overwrite=overwrite,
-            )
-        )
-        # The last look at a stop: once the files are in place the run is done.
-        report(1.0, "done")
-    return written
-
-
-def _write_layers(
-    result: Plan,
-    target: Path,
-    recorded: Mapping[str, Any],
-    creation_options: Mapping[str, Any] | None,
-    overwrite: bool,
-    report: Progress,
-) -> list[Path]:
-    tags = provenance(recorded, seed=result.request.fires.seed)
-    rasters: dict[str, xr.DataArray] = {
-        "priority.tif": result.priority,
-        "breaks.tif": result.breaks,
-        "burn_frequency.tif": result.before["burn_frequency"],
-        "burn_frequency_with_breaks.tif": result.after["burn_frequency"],
-    }
-    report(0.0, "landscape")
-    written = write_landscape(
-        result.landscape, target, overwrite=overwrite, provenance=tags, creation_options=creation_options
+    how = Writing(
+        overwrite,
+        inputs,
+        files_behind(map(str, inputs)),
+        creation_options or {},
+        recorded,
+        provenance(recorded, seed=result.request.fires.seed),
     )
-    for i, (name, data) in enumerate(rasters.items()):
-        report(0.2 + 0.1 * i, name)
-        write_raster(target / name, data, overwrite=overwrite, provenance=tags, creation_options=creation_options)
-        written.append(target / name)
-    return written
-
-
-def _write_tables(result: Plan, target: Path, overwrite: bool, report: Progress) -> list[Path]:
-    from firebreak_gis.report.figures import save
-    from firebreak_gis.report.overview import overview_figure
-
-    report(0.6, "breaks.gpkg")
-    write_vector(target / "breaks.gpkg", result.polygons, layer="breaks", overwrite=overwrite)
-    write_segments(target / "segments.gpkg", *result.segments, overwrite=overwrite)
-    write_compartments(target / "compartments.gpkg", result.compartments, overwrite=overwrite)
-    for name, frame in (("fire_sizes.csv", result.fire_sizes), ("evaluation.csv", table(result.evaluation))):
-        write_text(target / name, frame.to_csv(index=False, lineterminator="\n"), overwrite=overwrite)
-    report(0.7, "overview.png")
-    figure = overview_figure(
-        result.landscape,
-        result.breaks,
-        result.before,
-        result.after,
-        result.evaluation,
-        title=_headline(result),
-        budget=float(result.share),
-    )
-    save(figure, target / "overview.png", overwrite=overwrite)
-    return [target / name for name in PLAN_FILES if not name.endswith(".tif") and name != "run.json"]
+    return write_all(OUTPUTS, result, folder, how, variables=result.landscape, progress=progress)
 
 
 def _headline(result: Plan) -> str:

@@ -18,7 +18,8 @@ from click.testing import CliRunner
 
 from firebreak_gis import plugins
 from firebreak_gis.cli import firebreak
-from firebreak_gis.planning.outputs import PLAN_FILES
+from firebreak_gis.files.outputs import names
+from firebreak_gis.planning.outputs import OUTPUTS
 
 ROOT = Path(__file__).parents[2]
 SAMPLE = ROOT / "sample_data"
@@ -69,10 +70,10 @@ def network(tmp_path_factory):
 
 
 def test_plan_writes_every_file_and_styles(plan):
-    names = {p.name for p in plan.iterdir()}
-    assert set(PLAN_FILES) <= names
+    found = {p.name for p in plan.iterdir()}
+    assert set(names(OUTPUTS, ())) <= found
     assert {p.stem for p in plan.glob("*.tif")} == {p.stem for p in plan.glob("*.qml")}
-    assert not [name for name in names if name.startswith(".")]
+    assert not [name for name in found if name.startswith(".")]
 
 
 def test_rasters_lie_on_one_grid_and_say_what_they_are(plan):

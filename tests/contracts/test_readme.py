@@ -71,7 +71,8 @@ def test_files_that_the_readme_names_exist():
 
 
 def test_table_of_outputs_is_what_plan_writes():
-    from firebreak_gis.planning.outputs import PLAN_FILES
+    from firebreak_gis.files.outputs import names
+    from firebreak_gis.planning.outputs import OUTPUTS
 
     table = README.split("writes into the folder:")[1].split("Every raster is")[0]
-    assert set(re.findall(r"`([\w.]+\.(?:tif|gpkg|csv|png|json))`", table)) == set(PLAN_FILES)
+    assert set(re.findall(r"`([\w.]+\.(?:tif|gpkg|csv|png|json))`", table)) == set(names(OUTPUTS))

@@ -11,8 +11,9 @@ from shapely.geometry import Point
 
 from firebreak_gis import plan, rank, select_breaks, simulate, spread_network
 from firebreak_gis.errors import Cancelled, InputError, OutputError, ParameterError
+from firebreak_gis.files.outputs import names
 from firebreak_gis.landscape import read_landscape_folder
-from firebreak_gis.planning.outputs import PLAN_FILES, write_plan
+from firebreak_gis.planning.outputs import OUTPUTS, write_plan
 from firebreak_gis.planning.pipeline import default_budgets
 
 
@@ -77,7 +78,7 @@ def test_threads_change_nothing(landscape, result):
 
 def test_written_plan_is_read_back(landscape, result, tmp_path):
     files = write_plan(result, tmp_path / "new" / "folder")
-    assert {f.name for f in files} == set(PLAN_FILES)
+    assert {f.name for f in files} == set(names(OUTPUTS, ()))
     assert files[-1].name == "run.json"
     folder = tmp_path / "new" / "folder"
     back = read_landscape_folder(folder)

@@ -2,35 +2,44 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
 import click
 
-from firebreak_gis.cli import options
+from firebreak_gis.cli import options, outputs
 from firebreak_gis.cli.layers import input_files, read_layers
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs
-from firebreak_gis.cli.requests import built, recorded
+from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.outputs import Output
 from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.folder import OUTPUTS as LAYERS
 from firebreak_gis.landscape.request import LandscapeRequest
+from firebreak_gis.manifest import account
+from firebreak_gis.progress import part
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def _account(landscape: xr.Dataset) -> dict[str, Any]:
+    from firebreak_gis.grid import Grid
+
+    return {
+        "grid": Grid.of(landscape["burnable"]).describe(),
+        "alignment": landscape.attrs["alignment"],
+        "warnings": landscape.attrs["warnings"],
+    }
+
 
 #: What the command writes into its folder.
-OUTPUTS = {
-    "elevation.tif": "Elevation on the common grid",
-    "vegetation.tif": "Vegetation classes on the common grid",
-    "density.tif": "Density classes on the common grid",
-    "vegetation_effect.tif": "Effect of the vegetation, where the legend gives numbers in place of classes",
-    "density_effect.tif": "Effect of the density, where the legend gives numbers in place of classes",
-    "rate.tif": "Rate of spread on flat calm dry ground, where the legend gives it",
-    "dead_load.tif": "Load of dead fuel, where the legend gives it",
-    "live_load.tif": "Load of live fuel, where the legend gives it",
-    "heat_content.tif": "Heat content of the fuel, where the legend gives it",
-    "live_moisture.tif": "Moisture of the live fuel, where the legend gives it",
-    "run.json": "Account of the run",
-}
+OUTPUTS: tuple[Output[xr.Dataset], ...] = (*LAYERS, account("align", _account))
 
 
 @click.command("align")
 @options.inputs
-@options.output_folder
+@outputs.output_folder(OUTPUTS)
 @options.dry_run
 @options.landscape
 @options.common
@@ -41,43 +50,18 @@ def command(session: Session, *, dry_run: bool, layers: LandscapeRequest, output
     Writes elevation.tif, vegetation.tif and density.tif (classes of the paper) and says what was done to each
     layer.
     """
-    from firebreak_gis.files import together
-    from firebreak_gis.grid import Grid
-    from firebreak_gis.landscape import write_landscape
-    from firebreak_gis.manifest import provenance, write_manifest
+    from firebreak_gis.files.outputs import write_all
+    from firebreak_gis.manifest import provenance
 
     inputs = input_files(layers.sources)
-    require_outputs(output, tuple(OUTPUTS), inputs)
-    foreseen = foresee(layers, output, session, tuple(OUTPUTS))
+    how = require_outputs(output, OUTPUTS, inputs)
+    foreseen = foresee(layers, output, session, OUTPUTS)
     if dry_run:
         rehearse(foreseen, session)
         return
-    landscape = read_layers(layers, foreseen.survey, session, progress=session.progress)
-    parameters = recorded()
-    grid = Grid.of(landscape["burnable"])
-    account = {
-        "grid": grid.describe(),
-        "alignment": landscape.attrs["alignment"],
-        "warnings": landscape.attrs["warnings"],
-    }
-    with together(output.output, alone=True) as target:
-        files = write_landscape(
-            landscape,
-            target,
-            overwrite=output.overwrite,
-            provenance=provenance(parameters),
-            forbid=inputs,
-            creation_options=output.creation_options,
-        )
-        files.append(
-            write_manifest(
-                target / "run.json",
-                command="align",
-                parameters=parameters,
-                inputs=inputs,
-                outputs=files,
-                account=account,
-                overwrite=output.overwrite,
-            )
-        )
-    session.finish({"files": files, **account}, f"{grid.describe()}; {len(files)} files in {output.output}")
+    landscape = read_layers(layers, foreseen.survey, session, progress=part(session.progress, 0.0, 0.8))
+    how = replace(how, tags=provenance(how.parameters))
+    progress = part(session.progress, 0.8, 1.0)
+    files = write_all(OUTPUTS, landscape, output.output, how, variables=landscape, progress=progress)
+    told = _account(landscape)
+    session.finish({"files": files, **told}, f"{told['grid']}; {len(files)} files in {output.output}")

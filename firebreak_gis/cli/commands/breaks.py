@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, stakes
+from firebreak_gis.cli import filters, kinds, options, outputs, stakes
 from firebreak_gis.cli.layers import read_priority, tell
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @click.command("breaks")
 @click.argument("priority", type=kinds.RASTER)
-@options.output_file("Mask GeoTIFF")
+@outputs.output_file("Mask GeoTIFF")
 @options.budget
 @click.option(
     "--cost",
@@ -81,7 +81,7 @@ def command(
             f"{priority} was ranked for a budget of {made}, and its method lays another pattern for {amount}; rank "
             f"with --budget {amount.amount:g} --budget-unit {amount.unit} for the breaks that firebreak plan makes"
         )
-    with together(Path(output.output).parent):
+    with together(*(Path(name).parent for name in files)):
         write_raster(
             output.output,
             breaks,

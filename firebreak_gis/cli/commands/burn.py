@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options
+from firebreak_gis.cli import filters, kinds, options, outputs
 from firebreak_gis.cli.layers import checked_fires, read_breaks
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -17,7 +17,7 @@ from firebreak_gis.simulation.request import FireRequest
 
 @click.command("burn")
 @click.argument("network", type=kinds.RASTER)
-@options.output_file("Burn frequency GeoTIFF")
+@outputs.output_file("Burn frequency GeoTIFF")
 @click.option(
     "--breaks",
     "mask",
@@ -62,7 +62,7 @@ def command(
     told = asdict(fires) | {"breaks": mask is not None}
     tags = provenance({key: value for key, value in told.items() if key != "seed"}, seed=fires.seed)
     cells = burns["fire_size"].to_numpy()
-    with together(Path(output.output).parent):
+    with together(*(Path(name).parent for name in files)):
         write_raster(
             output.output,
             burns["burn_frequency"],

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import kinds, options, weather_options
+from firebreak_gis.cli import kinds, options, outputs, weather_options
 from firebreak_gis.cli.layers import input_files
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -69,15 +69,7 @@ _COLUMNS = ("landscape", "scar", "start", "duration", "weather", "step")
 )
 @options.seed
 @click.option("--table", type=kinds.NEW_TABLE, metavar="FILE", help="Also write what is told of each fire as CSV.")
-@click.option(
-    "-o",
-    "--output",
-    type=kinds.NEW_CONFIG,
-    metavar="FILE",
-    required=True,
-    help="Configuration (TOML) to write; every command takes it as --config.",
-)
-@click.option("--overwrite", is_flag=True, help="Replace existing files.")
+@outputs.output_file("Configuration (TOML), which every command takes as --config,", kinds.NEW_CONFIG)
 @options.common
 @built(weather=WeatherRequest)
 def command(
@@ -96,7 +88,7 @@ def command(
     line for each observed fire: the columns landscape, scar, start and duration, and perhaps weather and step.
     """
     from firebreak_gis.evaluation.calibration import calibrate_scars, calibrate_sizes
-    from firebreak_gis.files import claiming, require_writable, together, write_text
+    from firebreak_gis.files import require_writable, together, write_text
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import read_landscape_folder
     from firebreak_gis.landscape.planes import value_plane
@@ -108,44 +100,43 @@ def command(
     files = [output, *([table] if table else [])]
     inputs = files_behind(input_files([folder, fires, *weather.sources, given["ignitions"]]))
     common = {"n_runs": given["n_runs"], "seed": given["seed"], "progress": part(session.progress, 0.05, 0.95)}
-    with claiming(output, folder=False):
-        for name in files:
-            require_writable(name, overwrite=given["overwrite"], forbid=inputs)
-        if fires is None:
-            words = [word for word in given["fit"] if word != "duration"]
-            result = calibrate_scars(_cases(folder), fit=words, **common, **given["model_params"])
-        else:
-            ensemble = weather.read()
-            if ensemble is None:
-                raise ParameterError("--weather is missing: the winds in which the fires of the region burn")
-            landscape = read_landscape_folder(folder)
-            ignitions = given["ignitions"]
-            if ignitions is not None:
-                ignitions = value_plane(ignitions, Grid.of(landscape["burnable"]), what="ignitions").clip(0.0)
-            observed = fire_table(
-                fires,
-                size=given["size_column"],
-                first_day=given["first_day_column"],
-                last_day=given["last_day_column"],
-            )
-            result = calibrate_sizes(
-                landscape,
-                observed,
-                weather=ensemble,
-                told=weather.weather,
-                ignitions=ignitions,
-                fit=given["fit"],
-                least=given["least"],
-                hours_a_day=given["hours_a_day"],
-                longest=as_seconds(given["longest"], "--longest"),
-                **common,
-                **given["model_params"],
-            )
-        with together(Path(output).parent):
-            write_text(output, result.config(), overwrite=given["overwrite"])
-            if table:
-                text = result.table.to_csv(index=False, lineterminator="\n")
-                write_text(table, text, overwrite=given["overwrite"])
+    for name in files:
+        require_writable(name, overwrite=given["overwrite"], forbid=inputs)
+    if fires is None:
+        words = [word for word in given["fit"] if word != "duration"]
+        result = calibrate_scars(_cases(folder), fit=words, **common, **given["model_params"])
+    else:
+        ensemble = weather.read()
+        if ensemble is None:
+            raise ParameterError("--weather is missing: the winds in which the fires of the region burn")
+        landscape = read_landscape_folder(folder)
+        ignitions = given["ignitions"]
+        if ignitions is not None:
+            ignitions = value_plane(ignitions, Grid.of(landscape["burnable"]), what="ignitions").clip(0.0)
+        observed = fire_table(
+            fires,
+            size=given["size_column"],
+            first_day=given["first_day_column"],
+            last_day=given["last_day_column"],
+        )
+        result = calibrate_sizes(
+            landscape,
+            observed,
+            weather=ensemble,
+            told=weather.weather,
+            ignitions=ignitions,
+            fit=given["fit"],
+            least=given["least"],
+            hours_a_day=given["hours_a_day"],
+            longest=as_seconds(given["longest"], "--longest"),
+            **common,
+            **given["model_params"],
+        )
+    with together(*(Path(name).parent for name in files)):
+        write_text(output, result.config(), overwrite=given["overwrite"])
+        if table:
+            text = result.table.to_csv(index=False, lineterminator="\n")
+            write_text(table, text, overwrite=given["overwrite"])
     rows = result.table.astype(object).where(result.table.notna(), None).to_dict("records")
     told = {"parameters": result.parameters, "n_parameters": result.n_parameters, "n_fires": result.n_fires}
     session.finish(

@@ -2,37 +2,75 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, parsing, stakes
+from firebreak_gis.cli import filters, kinds, options, outputs, parsing, stakes
 from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges
-from firebreak_gis.cli.requests import built, recorded
+from firebreak_gis.cli.rehearsal import require_outputs
+from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import FirebreakError, ParameterError, raise_together
+from firebreak_gis.files.outputs import Output, Writing
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
+from firebreak_gis.manifest import account
 from firebreak_gis.plugins import build_params, load
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.figure import Figure
+
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.stakes import Stakes
 
+
+@dataclass(frozen=True)
+class _Compared:
+    """What is written."""
+
+    rows: pd.DataFrame
+    n_burnable: int
+    cell_area_ha: float
+    told: dict[str, list[str]]
+
+    @cached_property
+    def figure(self) -> Figure:
+        from firebreak_gis.report.comparison import comparison_figure
+
+        return comparison_figure(self.rows, n_burnable=self.n_burnable, cell_area_ha=self.cell_area_ha)
+
+
+def _csv(compared: _Compared, path: Path, how: Writing) -> None:
+    from firebreak_gis.files import write_text
+
+    text = compared.rows.to_csv(index=False, lineterminator="\n", float_format="%.8g")
+    write_text(path, text, overwrite=how.overwrite)
+
+
+def _picture(compared: _Compared, path: Path, how: Writing) -> None:
+    from firebreak_gis.report.figures import save
+
+    save(compared.figure, path, overwrite=how.overwrite)
+
+
 #: What the command writes into its folder.
-OUTPUTS = {
-    "comparison.csv": "Every ranking at every budget and leak, with intervals",
-    "comparison.png": "Curves of the rankings",
-    "comparison.svg": "Curves of the rankings, to scale",
-    "run.json": "Account of the run",
-}
+OUTPUTS: tuple[Output[_Compared], ...] = (
+    Output("comparison.csv", "Every ranking at every budget and leak, with intervals", _csv),
+    Output("comparison.png", "Curves of the rankings", _picture),
+    Output("comparison.svg", "Curves of the rankings, to scale", _picture),
+    account("compare", lambda compared: {"n_burnable": compared.n_burnable, **compared.told}),
+)
 
 
 @click.command("compare")
 @click.argument("network", type=kinds.RASTER)
-@options.output_folder
+@outputs.output_folder(OUTPUTS)
 @click.option(
     "--methods",
     "method_list",
@@ -83,23 +121,16 @@ def command(
     Each plan is made for its budget and leak, as firebreak plan makes it. The fires are fresh: no plan was designed
     with them, and all burn in the same ones. Writes comparison.csv, comparison.png, comparison.svg and run.json.
     """
-    from firebreak_gis.files import make_folder, require_writable, together, write_text
-    from firebreak_gis.manifest import write_manifest
+    from firebreak_gis.files.outputs import write_all
     from firebreak_gis.planning.comparison import compare_plans, comparison_table
     from firebreak_gis.planning.design import Designs
     from firebreak_gis.progress import part
-    from firebreak_gis.rasters import files_behind
-    from firebreak_gis.report.comparison import comparison_figure
-    from firebreak_gis.report.figures import save
     from firebreak_gis.spread.raster import read_network
 
     inputs = input_files([network, *fires.sources, dem, *at_stake.sources])
-    target = make_folder(output.output)
-    files = [target / name for name in ("comparison.csv", "comparison.png", "comparison.svg")]
-    for name in (*files, target / "run.json"):
-        require_writable(name, overwrite=output.overwrite, forbid=files_behind(inputs))
+    how = require_outputs(output, OUTPUTS, inputs)
     untouched = read_network(network)
-    planes, account = read_stakes(
+    planes, read = read_stakes(
         at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions
     )
     barred, placed = planes.on(untouched)
@@ -122,28 +153,13 @@ def command(
         progress=part(session.progress, 0.02, 0.97),
     )
     rows = comparison_table(result)
-    with together(target):
-        write_text(
-            files[0], rows.to_csv(index=False, lineterminator="\n", float_format="%.8g"), overwrite=output.overwrite
-        )
-        figure = comparison_figure(rows, n_burnable=barred.n_burnable, cell_area_ha=barred.grid.cell_area_ha)
-        for name in files[1:]:
-            save(figure, name, overwrite=output.overwrite)
-        files.append(
-            write_manifest(
-                target / "run.json",
-                command="compare",
-                parameters=recorded(),
-                inputs=inputs,
-                outputs=files,
-                account={
-                    "n_burnable": barred.n_burnable,
-                    "alignment": account.alignment,
-                    "warnings": account.warnings,
-                },
-                overwrite=output.overwrite,
-            )
-        )
+    compared = _Compared(
+        rows,
+        barred.n_burnable,
+        barred.grid.cell_area_ha,
+        {"alignment": read.alignment, "warnings": read.warnings},
+    )
+    files = write_all(OUTPUTS, compared, output.output, how, progress=part(session.progress, 0.97, 1.0))
     shown = rows.pivot_table(index="method", columns=["residual", "d_f"], values="R", sort=False)
     session.finish(
         {"files": files},

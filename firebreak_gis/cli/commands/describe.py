@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import inspect
 import json
 from typing import Any
@@ -10,8 +9,9 @@ from typing import Any
 import click
 
 from firebreak_gis import __version__, plugins
-from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli import kinds, options, outputs
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.outputs import labels
 from firebreak_gis.landscape import legends
 
 
@@ -26,7 +26,7 @@ def command(ctx: click.Context, session: Session) -> None:
     """
     group = ctx.parent.command if ctx.parent else None  # not the root: `rio firebreak describe`
     assert isinstance(group, click.Group)
-    commands = {name: _command(name, group.get_command(ctx, name)) for name in group.list_commands(ctx)}
+    commands = {name: _command(group.get_command(ctx, name)) for name in group.list_commands(ctx)}
     found = {kind: [plugins.describe(kind, name) for name in plugins.names(kind)] for kind in plugins.KINDS}
     document = {
         "software": "firebreak_gis",
@@ -38,18 +38,17 @@ def command(ctx: click.Context, session: Session) -> None:
     session.finish(document, json.dumps(document, indent=1, ensure_ascii=False))
 
 
-def _command(name: str, found: click.Command | None) -> dict[str, Any]:
+def _command(found: click.Command | None) -> dict[str, Any]:
     if found is None:
         return {}
-    outputs = getattr(importlib.import_module(f"firebreak_gis.cli.commands.{name}"), "OUTPUTS", {})
     entry = {
         "summary": found.get_short_help_str(200),
         "help": inspect.cleandoc(found.help or ""),
         "parameters": [_parameter(p) for p in found.params],
-        "outputs": outputs,
+        "outputs": labels(outputs.outputs_of(found)),
     }
     if isinstance(found, click.Group):
-        entry["commands"] = {word: _command(name, inner) for word, inner in sorted(found.commands.items())}
+        entry["commands"] = {word: _command(inner) for word, inner in sorted(found.commands.items())}
     return {key: value for key, value in entry.items() if value}
 
 

@@ -2,35 +2,87 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, parsing
+from firebreak_gis.cli import filters, kinds, options, outputs, parsing
 from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges
-from firebreak_gis.cli.requests import built, recorded
+from firebreak_gis.cli.rehearsal import require_outputs
+from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.outputs import Output, Writing
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
+from firebreak_gis.manifest import account
 from firebreak_gis.plugins import build_params, load
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
     from firebreak_gis.evaluation.curves import Test
 
+
+@dataclass(frozen=True)
+class _Judged:
+    """What is written: the result, and the labels of all rankings but the baseline."""
+
+    result: xr.Dataset
+    n_burnable: int
+    labels: tuple[str, ...]
+    alignment: list[str]
+
+    @cached_property
+    def figure(self) -> Figure:
+        from firebreak_gis.report.curve import curve_figure
+
+        return curve_figure(self.result)
+
+    @cached_property
+    def better(self) -> dict[str, list[float] | None]:
+        """Budgets from and to which each ranking burns less than the baseline."""
+        from firebreak_gis.evaluation.curves import better_range
+
+        return {label: better_range(self.result, label) for label in self.labels}
+
+
+def _csv(judged: _Judged, path: Path, how: Writing) -> None:
+    from firebreak_gis.evaluation.curves import table
+    from firebreak_gis.files import write_text
+
+    write_text(path, table(judged.result).to_csv(index=False, lineterminator="\n"), overwrite=how.overwrite)
+
+
+def _picture(judged: _Judged, path: Path, how: Writing) -> None:
+    from firebreak_gis.report.figures import save
+
+    save(judged.figure, path, overwrite=how.overwrite)
+
+
 #: What the command writes into its folder.
-OUTPUTS = {
-    "evaluation.csv": "Burnt share and significance of every ranking at every budget",
-    "evaluation.png": "Curves of the burnt share",
-    "evaluation.svg": "Curves of the burnt share, to scale",
-    "run.json": "Account of the run",
-}
+OUTPUTS: tuple[Output[_Judged], ...] = (
+    Output("evaluation.csv", "Burnt share and significance of every ranking at every budget", _csv),
+    Output("evaluation.png", "Curves of the burnt share", _picture),
+    Output("evaluation.svg", "Curves of the burnt share, to scale", _picture),
+    account(
+        "evaluate",
+        lambda judged: {
+            "n_burnable": judged.n_burnable,
+            "significant_d_f": judged.better,
+            "alignment": judged.alignment,
+        },
+    ),
+)
 
 
 @click.command("evaluate")
 @click.argument("network", type=kinds.RASTER)
-@options.output_folder
+@outputs.output_folder(OUTPUTS)
 @click.option(
     "--methods",
     "method_list",
@@ -86,15 +138,11 @@ def command(
     All rankings meet the same fires, and each plan is made for its budget, as firebreak plan makes it. Writes
     evaluation.csv, evaluation.png, evaluation.svg and run.json.
     """
-    from firebreak_gis.evaluation.curves import better_range, evaluate_fires, table
-    from firebreak_gis.files import make_folder, require_writable, together, write_text
-    from firebreak_gis.manifest import write_manifest
+    from firebreak_gis.evaluation.curves import evaluate_fires
+    from firebreak_gis.files.outputs import write_all
     from firebreak_gis.planning.design import Designs
     from firebreak_gis.planning.pipeline import default_budgets
     from firebreak_gis.progress import part
-    from firebreak_gis.rasters import files_behind
-    from firebreak_gis.report.curve import curve_figure
-    from firebreak_gis.report.figures import save
     from firebreak_gis.spread.raster import read_network
 
     methods = list(method_list)
@@ -103,13 +151,10 @@ def command(
     for _, method, params in methods:
         build_params(load("ranking", method), params)
     inputs = input_files([network, dem, *fires.sources])
-    target = make_folder(output.output)
-    files = [target / name for name in ("evaluation.csv", "evaluation.png", "evaluation.svg")]
-    for name in (*files, target / "run.json"):
-        require_writable(name, overwrite=output.overwrite, forbid=files_behind(inputs))
+    how = require_outputs(output, OUTPUTS, inputs)
     shares = budgets or default_budgets()
     untouched = read_network(network)
-    planes, account = read_stakes(
+    planes, read = read_stakes(
         StakesRequest(), session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions
     )
     placed = planes.on(untouched)[1]
@@ -132,31 +177,14 @@ def command(
         alpha=alpha,
         progress=part(session.progress, 0.0, 0.95),
     )
-    with together(target):
-        write_text(files[0], table(result).to_csv(index=False, lineterminator="\n"), overwrite=output.overwrite)
-        figure = curve_figure(result)
-        for name in files[1:]:
-            save(figure, name, overwrite=output.overwrite)
-        better = {label: better_range(result, label) for label in priorities if label != baseline}
-        files.append(
-            write_manifest(
-                target / "run.json",
-                command="evaluate",
-                inputs=inputs,
-                outputs=files,
-                parameters=recorded(),
-                account={
-                    "n_burnable": untouched.n_burnable,
-                    "significant_d_f": better,
-                    "alignment": account.alignment,
-                },
-                overwrite=output.overwrite,
-            )
-        )
+    judged = _Judged(
+        result, untouched.n_burnable, tuple(label for label in priorities if label != baseline), read.alignment
+    )
+    files = write_all(OUTPUTS, judged, output.output, how, progress=part(session.progress, 0.95, 1.0))
     told = [
         f"{label} burns less than {baseline} (alpha {alpha:g}) "
         + ("nowhere" if span is None else f"at d_f from {span[0]:g} to {span[1]:g}")
-        for label, span in better.items()
+        for label, span in judged.better.items()
     ]
     told.append(f"{len(priorities)} rankings at {len(shares)} budgets; written to {output.output}")
-    session.finish({"files": files, "significant_d_f": better}, "\n".join(told))
+    session.finish({"files": files, "significant_d_f": judged.better}, "\n".join(told))

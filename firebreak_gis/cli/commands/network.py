@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 import numpy as np
 
-from firebreak_gis.cli import options, weather_options
+from firebreak_gis.cli import options, outputs, weather_options
 from firebreak_gis.cli.layers import input_files
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @click.command("network")
 @click.argument("folder", type=click.Path(file_okay=False))
-@options.output_file("GeoTIFF of 8 bands, or 17 with --clock,")
+@outputs.output_file("GeoTIFF of 8 bands, or 17 with --clock,")
 @weather_options.spread
 @weather_options.clock
 @options.fitting("network")

@@ -7,15 +7,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, options, stakes, weather_options
+from firebreak_gis.cli import filters, options, outputs, stakes, weather_options
 from firebreak_gis.cli.layers import input_files, read_layers, read_stakes
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
-from firebreak_gis.cli.requests import built, recorded
+from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
+from firebreak_gis.planning.outputs import OUTPUTS, write_plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
 from firebreak_gis.planning.weather import SpreadRequest
 from firebreak_gis.simulation.request import FireRequest
@@ -23,28 +24,10 @@ from firebreak_gis.simulation.request import FireRequest
 if TYPE_CHECKING:
     from firebreak_gis.planning.feasibility import Feasibility
 
-#: What the command writes into its folder.
-OUTPUTS = {
-    "breaks.tif": "Fire breaks",
-    "breaks.gpkg": "Fire breaks as polygons",
-    "segments.gpkg": "Segments to build, in order",
-    "compartments.gpkg": "Compartments between the breaks",
-    "priority.tif": "Cutting priority",
-    "burn_frequency.tif": "Burn frequency without breaks",
-    "burn_frequency_with_breaks.tif": "Burn frequency with the breaks",
-    "elevation.tif": "Elevation on the common grid",
-    "vegetation.tif": "Vegetation classes on the common grid",
-    "density.tif": "Density classes on the common grid",
-    "fire_sizes.csv": "Size of every fire without and with the breaks",
-    "evaluation.csv": "Burnt share at every budget",
-    "overview.png": "Picture of the plan",
-    "run.json": "Account of the run",
-}
-
 
 @click.command("plan")
 @options.inputs
-@options.output_folder
+@outputs.output_folder(OUTPUTS)
 @options.dry_run
 @options.budget
 @options.ranking
@@ -83,15 +66,14 @@ def command(
     legend gives the density. DEM alone may be a FlamMap landscape (.lcp).
     """
     from firebreak_gis.grid import Grid
-    from firebreak_gis.planning.outputs import PLAN_FILES, write_plan
     from firebreak_gis.planning.pipeline import make_plan
     from firebreak_gis.progress import part
 
     request = PlanRequest(design, spread, fires, at_stake, layers, output)
     require_possible(request)
     inputs = input_files(request.sources)
-    require_outputs(output, PLAN_FILES, inputs)
-    foreseen = foresee(layers, output, session, PLAN_FILES, method=design.method)
+    how = require_outputs(output, OUTPUTS, inputs)
+    foreseen = foresee(layers, output, session, OUTPUTS, method=design.method)
     if dry_run:
         rehearse(foreseen, session)
         return
@@ -122,7 +104,7 @@ def command(
     files = write_plan(
         result,
         output.output,
-        parameters=recorded(),
+        parameters=how.parameters,
         inputs=inputs,
         creation_options=output.creation_options,
         overwrite=output.overwrite,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, stakes
+from firebreak_gis.cli import filters, kinds, options, outputs, stakes
 from firebreak_gis.cli.layers import input_files, read_stakes, ridges
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -16,7 +16,7 @@ from firebreak_gis.simulation.request import FireRequest
 
 @click.command("rank")
 @click.argument("network", type=kinds.RASTER)
-@options.output_file("Priority GeoTIFF")
+@outputs.output_file("Priority GeoTIFF")
 @options.budget
 @options.ranking
 @options.leaks

@@ -3,18 +3,30 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli import kinds, options, outputs
 from firebreak_gis.cli.layers import input_files, read_layers
+from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.files import write_text
+from firebreak_gis.files.outputs import Output, Writing
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
+from firebreak_gis.manifest import account
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+    from matplotlib.figure import Figure
 
 
 @click.group("reproduce")
@@ -22,76 +34,119 @@ def command() -> None:
     """Run the experiments of Russo, Russo and Siettos (2016) again."""
 
 
-@command.command("artificial-forest")
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(file_okay=False),
-    default="artificial-forest",
-    show_default=True,
-    help="Folder to write into; made if it does not exist.",
+def _csv(get: Callable[[Any], pd.DataFrame]) -> Callable[[Any, Path, Writing], None]:
+    """Write a table of the result."""
+
+    def write(result: Any, path: Path, how: Writing) -> None:
+        write_text(path, get(result).to_csv(index=False, lineterminator="\n"), overwrite=how.overwrite)
+
+    return write
+
+
+def _picture(get: Callable[[Any], Figure]) -> Callable[[Any, Path, Writing], None]:
+    """Write a figure of the result."""
+
+    def write(result: Any, path: Path, how: Writing) -> None:
+        from firebreak_gis.report.figures import save
+
+        save(get(result), path, overwrite=how.overwrite)
+
+    return write
+
+
+@dataclass(frozen=True)
+class _Forest:
+    """The first experiment."""
+
+    result: xr.Dataset
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        from firebreak_gis.evaluation.paper.artificial_forest import summary
+
+        return summary(self.result)
+
+    @cached_property
+    def curve(self) -> pd.DataFrame:
+        from firebreak_gis.evaluation.paper.artificial_forest import curve_table
+
+        return curve_table(self.result)
+
+    @cached_property
+    def figure(self) -> Figure:
+        from firebreak_gis.evaluation.paper.artificial_forest import FALLEN
+        from firebreak_gis.report.paper import figure_1
+
+        return figure_1(self.result, fallen=FALLEN)
+
+
+def _summary(forest: _Forest, path: Path, how: Writing) -> None:
+    write_text(path, json.dumps(forest.summary, indent=2) + "\n", overwrite=how.overwrite)
+
+
+#: What `artificial-forest` writes into its folder.
+FOREST: tuple[Output[_Forest], ...] = (
+    Output("curve.csv", "Burnt share of every centrality at every share cut", _csv(lambda forest: forest.curve)),
+    Output("summary.json", "Where the burnt share falls", _summary),
+    Output("figure_1.png", "Figure 1", _picture(lambda forest: forest.figure)),
+    Output("figure_1.svg", "Figure 1, to scale", _picture(lambda forest: forest.figure)),
+    account("reproduce artificial-forest", lambda forest: forest.summary),
 )
-@options.overwrite
+
+
+@dataclass(frozen=True)
+class _Figures:
+    """The other experiments: figures by number, and tables."""
+
+    figures: Mapping[int, Figure]
+    evaluation: pd.DataFrame
+    cut: pd.DataFrame
+
+
+def _figure(number: int) -> Output[_Figures]:
+    return Output(f"figure_{number}.png", f"Figure {number}", _picture(lambda result: result.figures[number]))
+
+
+#: What `landscape` writes into its folder.
+FIGURES: tuple[Output[_Figures], ...] = (
+    *(_figure(number) for number in (3, 4, 5, 6)),
+    Output("evaluation.csv", "Burnt share at every budget", _csv(lambda result: result.evaluation)),
+    Output("cut_cells.csv", "Classes of the cells that are cut", _csv(lambda result: result.cut)),
+    account("reproduce landscape", lambda result: {"cut_cells": result.cut.to_dict("records")}),
+)
+
+
+@command.command("artificial-forest")
+@outputs.output_folder(FOREST, default="artificial-forest")
 @click.option("--forests", "n_forests", type=kinds.COUNT, default=100, show_default=True, help="Number of forests.")
 @click.option("--runs", "n_runs", type=kinds.COUNT, default=10, show_default=True, help="Fires a forest.")
 @options.seed
 @options.common
-@options.claiming_folder
 @built(output=OutputRequest)
 def artificial_forest_command(session: Session, output: OutputRequest, n_forests: int, n_runs: int, seed: int) -> None:
     """Figure 1: R(d_f) of every centrality on random forests of 50 x 50 cells.
 
     Writes curve.csv, summary.json, figure_1.png, figure_1.svg and run.json.
     """
-    from firebreak_gis.evaluation.paper.artificial_forest import FALLEN, artificial_forest, curve_table, summary
-    from firebreak_gis.files import make_folder, require_writable, together, write_text
-    from firebreak_gis.manifest import write_manifest
-    from firebreak_gis.report.figures import save
-    from firebreak_gis.report.paper import figure_1
+    from firebreak_gis.evaluation.paper.artificial_forest import FALLEN, artificial_forest
+    from firebreak_gis.files.outputs import write_all
 
-    target = make_folder(output.output)
-    files = [target / name for name in ("curve.csv", "summary.json", "figure_1.png", "figure_1.svg")]
-    for name in (*files, target / "run.json"):
-        require_writable(name, overwrite=output.overwrite)
-    result = artificial_forest(n_forests=n_forests, n_runs=n_runs, seed=seed, progress=session.progress)
-    found = summary(result)
-    with together(target):
-        write_text(files[0], curve_table(result).to_csv(index=False, lineterminator="\n"), overwrite=output.overwrite)
-        write_text(files[1], json.dumps(found, indent=2) + "\n", overwrite=output.overwrite)
-        figure = figure_1(result, fallen=FALLEN)
-        for name in files[2:]:
-            save(figure, name, overwrite=output.overwrite)
-        files.append(
-            write_manifest(
-                target / "run.json",
-                command="reproduce artificial-forest",
-                inputs=[],
-                outputs=files,
-                parameters=recorded(),
-                account=found,
-                overwrite=output.overwrite,
-            )
-        )
+    how = require_outputs(output, FOREST, [])
+    forest = _Forest(artificial_forest(n_forests=n_forests, n_runs=n_runs, seed=seed, progress=session.progress))
+    files = write_all(FOREST, forest, output.output, how)
+    found = forest.summary
     lines = [
         f"{label:14} mean R below {FALLEN:g} from d_f = {row['d_f_below_0.3']}"
         for label, row in found["methods"].items()
     ]
-    session.finish({"files": files, **found}, "\n".join([*lines, f"written to {target}"]))
+    session.finish({"files": files, **found}, "\n".join([*lines, f"written to {output.output}"]))
 
 
 @command.command("landscape")
 @click.argument("dem", required=False)
 @click.argument("vegetation", required=False)
 @click.argument("density", required=False)
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(file_okay=False),
-    default="landscape-figures",
-    show_default=True,
-    help="Folder to write into; made if it does not exist.",
-)
-@options.overwrite
+@outputs.output_folder(FIGURES, default="landscape-figures")
 @click.option(
     "--ignition",
     type=float,
@@ -118,7 +173,6 @@ def artificial_forest_command(session: Session, output: OutputRequest, n_forests
 @options.seed
 @options.landscape
 @options.common
-@options.claiming_folder
 @built(output=OutputRequest, layers=LandscapeRequest)
 def landscape_command(
     session: Session,
@@ -137,12 +191,10 @@ def landscape_command(
     """
     from firebreak_gis.evaluation.curves import table
     from firebreak_gis.evaluation.paper.landscape import cut_table, grey_levels, landscape_experiment
-    from firebreak_gis.files import make_folder, require_writable, together, write_text
+    from firebreak_gis.files.outputs import write_all
     from firebreak_gis.landscape import survey
-    from firebreak_gis.manifest import write_manifest
     from firebreak_gis.progress import part
     from firebreak_gis.report import paper
-    from firebreak_gis.report.figures import save
 
     told = recorded()
     if layers.dem is None:
@@ -152,11 +204,7 @@ def landscape_command(
     elif layers.vegetation is None:
         raise ParameterError("DEM was given without VEGETATION; give both, or neither to use the sample data")
     inputs = input_files(layers.sources)
-    target = make_folder(output.output)
-    pictures = [target / f"figure_{k}.png" for k in (3, 4, 5, 6)]
-    tables = [target / "evaluation.csv", target / "cut_cells.csv"]
-    for name in (*pictures, *tables, target / "run.json"):
-        require_writable(name, overwrite=output.overwrite, forbid=inputs)
+    how = replace(require_outputs(output, FIGURES, inputs), parameters=told)
     landscape = read_layers(layers, survey(layers), session, progress=part(session.progress, 0.0, 0.1, "align: "))
     result = landscape_experiment(
         landscape,
@@ -169,33 +217,17 @@ def landscape_command(
         progress=part(session.progress, 0.1, 0.9),
     )
     wind = f"wind {wind_speed:g} m/s from {wind_from:g} degrees"
-    figures = (
-        paper.figure_3(landscape),
-        paper.figure_4(landscape, result.fire, grey_levels(result.fire["burn_frequency"].to_numpy()), wind=wind),
-        paper.figure_5(result.evaluation),
-        paper.figure_6(result.window, result.breaks),
-    )
+    figures = {
+        3: paper.figure_3(landscape),
+        4: paper.figure_4(landscape, result.fire, grey_levels(result.fire["burn_frequency"].to_numpy()), wind=wind),
+        5: paper.figure_5(result.evaluation),
+        6: paper.figure_6(result.window, result.breaks),
+    }
     cut = cut_table(result)
-    with together(target):
-        for name, figure in zip(pictures, figures, strict=True):
-            save(figure, name, overwrite=output.overwrite)
-        for name, frame in zip(tables, (table(result.evaluation), cut), strict=True):
-            write_text(name, frame.to_csv(index=False, lineterminator="\n"), overwrite=output.overwrite)
-        files = [*pictures, *tables]
-        files.append(
-            write_manifest(
-                target / "run.json",
-                command="reproduce landscape",
-                inputs=inputs,
-                outputs=files,
-                parameters=told,
-                account={"cut_cells": cut.to_dict("records")},
-                overwrite=output.overwrite,
-            )
-        )
+    files = write_all(FIGURES, _Figures(figures, table(result.evaluation), cut), output.output, how)
     session.finish(
         {"files": files, "cut_cells": cut.to_dict("records")},
-        f"{cut.to_string(index=False, float_format=lambda v: f'{v:.3f}')}\nwritten to {target}",
+        f"{cut.to_string(index=False, float_format=lambda v: f'{v:.3f}')}\nwritten to {output.output}",
     )
 
 

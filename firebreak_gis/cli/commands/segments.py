@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
 
-from firebreak_gis.cli import filters, kinds, options, stakes
+from firebreak_gis.cli import filters, kinds, options, outputs, stakes
 from firebreak_gis.cli.layers import read_breaks, read_priority, read_stakes
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -16,17 +18,10 @@ from firebreak_gis.landscape.stake_layers import StakesRequest
 @click.command("segments")
 @click.argument("network", type=kinds.RASTER)
 @click.argument("mask", metavar="BREAKS", type=kinds.VECTOR_OR_RASTER)
-@click.option(
-    "-o",
-    "--output",
-    type=kinds.NEW_VECTOR,
-    metavar="FILE",
-    required=True,
-    help="GeoPackage to write, with the layers lines and polygons.",
-)
+@outputs.output_file("GeoPackage with the layers lines and polygons", kinds.NEW_LAYERS)
 @click.option(
     "--compartments",
-    type=kinds.NEW_VECTOR,
+    type=kinds.NEW_LAYERS,
     metavar="FILE",
     help="Also write the compartments between the breaks as a GeoPackage.",
 )
@@ -41,7 +36,6 @@ from firebreak_gis.landscape.stake_layers import StakesRequest
 @options.ignition_map
 @stakes.stakes
 @filters.where
-@click.option("--overwrite", is_flag=True, help="Replace existing files.")
 @options.common
 @built(output=OutputRequest, at_stake=StakesRequest)
 def command(
@@ -54,7 +48,7 @@ def command(
     dem: str | None,
     ignitions: str | None,
     foreign: bool,
-    **given: str | None,
+    **others: str | None,
 ) -> None:
     """Take BREAKS on NETWORK apart into segments to build, best first.
 
@@ -64,12 +58,12 @@ def command(
     from firebreak_gis.construction.compartments import compartments
     from firebreak_gis.construction.segments import segments
     from firebreak_gis.construction.writing import write_compartments, write_segments
-    from firebreak_gis.files import require_writable
+    from firebreak_gis.files import require_writable, together
     from firebreak_gis.landscape.planes import elevation_plane
     from firebreak_gis.rasters import files_behind
     from firebreak_gis.spread.raster import read_network
 
-    parts = given["compartments"]
+    parts = others["compartments"]  # the name is that of a function, too
     inputs = files_behind([network, mask, *filter(None, (priority, dem, ignitions)), *at_stake.sources])
     files = [output.output] + ([parts] if parts else [])
     for name in files:
@@ -94,9 +88,10 @@ def command(
     )
     session.progress(0.7, "compartments")
     _, table = compartments(barred, cut, value=placed.value, ignition=placed.ignition)
-    write_segments(output.output, lines, polygons, overwrite=output.overwrite, forbid=inputs)
-    if parts:
-        write_compartments(parts, table, overwrite=output.overwrite, forbid=inputs)
+    with together(*(Path(name).parent for name in files)):
+        write_segments(output.output, lines, polygons, overwrite=output.overwrite, forbid=inputs)
+        if parts:
+            write_compartments(parts, table, overwrite=output.overwrite, forbid=inputs)
     length = float(lines["length_m"].sum()) / 1000.0
     stages = int(polygons["stage"].max()) if len(polygons) else 0
     session.finish(

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import kinds, options
+from firebreak_gis.cli import kinds, options, outputs
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
@@ -16,7 +16,7 @@ from firebreak_gis.files.request import OutputRequest
 
 @click.command("siting")
 @click.argument("folder", type=click.Path(file_okay=False))
-@options.output_file("Suitability GeoTIFF")
+@outputs.output_file("Suitability GeoTIFF")
 @click.option("--roads", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Roads and tracks (lines or a raster).")
 @click.option(
     "--rivers", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Rivers and lakes (lines, areas, a raster)."

@@ -2,26 +2,82 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from firebreak_gis.cli import kinds, options, weather_options
+from firebreak_gis.cli import kinds, options, outputs, weather_options
 from firebreak_gis.cli.layers import input_files
-from firebreak_gis.cli.requests import built, recorded
+from firebreak_gis.cli.rehearsal import require_outputs
+from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.outputs import Output, Writing
+from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.manifest import account
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 
+if TYPE_CHECKING:
+    import numpy as np
+    import xarray as xr
+
+    from firebreak_gis.evaluation.validation import Validation
+
+
+@dataclass(frozen=True)
+class _Validated:
+    """What is written."""
+
+    result: Validation
+    fuel: np.ndarray
+    scar: str
+
+    @property
+    def frequency(self) -> xr.DataArray:
+        from firebreak_gis.schema import annotate
+
+        plane = self.result.grid.dataarray(self.result.forecast.probability, "burn_frequency")
+        return annotate(plane)
+
+
+def _table(validated: _Validated, path: Path, how: Writing) -> None:
+    from firebreak_gis.files import write_text
+
+    result = validated.result
+    table = result.table() if path.name == "scores.csv" else result.reliability_table()
+    write_text(path, table.to_csv(index=False, lineterminator="\n"), overwrite=how.overwrite)
+
+
+def _frequency(validated: _Validated, path: Path, how: Writing) -> None:
+    from firebreak_gis.rasters import write_raster
+
+    write_raster(
+        path,
+        validated.frequency,
+        overwrite=how.overwrite,
+        forbid=how.forbid,
+        provenance=how.tags,
+        creation_options=how.creation_options,
+    )
+
+
+def _picture(validated: _Validated, path: Path, how: Writing) -> None:
+    from firebreak_gis.report.figures import save
+    from firebreak_gis.report.validation import validation_figure
+
+    title = f"{Path(validated.scar).stem}: {validated.result.summary()['observed_ha']:.4g} ha observed"
+    save(validation_figure(validated.result, title=title, fuel=validated.fuel), path, overwrite=how.overwrite)
+
+
 #: What the command writes into its folder.
-OUTPUTS = {
-    "scores.csv": "Scores of the simulated fire and of the null models",
-    "reliability.csv": "How often cells burnt, by the probability forecast",
-    "burn_frequency.tif": "Share of the simulated fires in which each cell burns",
-    "validation.png": "Picture of the simulated fire over the scar, with the reliability",
-    "run.json": "Account of the run",
-}
+OUTPUTS: tuple[Output[_Validated], ...] = (
+    Output("scores.csv", "Scores of the simulated fire and of the null models", _table),
+    Output("reliability.csv", "How often cells burnt, by the probability forecast", _table),
+    Output("burn_frequency.tif", "Share of the simulated fires in which each cell burns", _frequency),
+    Output("validation.png", "Picture of the simulated fire over the scar, with the reliability", _picture),
+    account("validate", lambda it: {"result": it.result.summary(), **it.result.account}),
+)
 
 
 @click.command("validate")
@@ -44,13 +100,7 @@ OUTPUTS = {
 @click.option("--runs", "n_runs", type=kinds.COUNT, default=200, show_default=True, help="Number of simulated fires.")
 @weather_options.spread
 @options.seed
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(file_okay=False),
-    help="Folder to write into; made if it does not exist. Without it the scores are only told.",
-)
-@options.overwrite
+@outputs.output_folder(OUTPUTS, required=False, more=" Without it the scores are only told.")
 @options.common
 @built(spread=SpreadRequest, weather=WeatherRequest)
 def command(
@@ -63,14 +113,10 @@ def command(
     told for the simulated fire and for the null models: no growth, equal distance in fuel, an ellipse in the wind.
     """
     from firebreak_gis.evaluation.forecasting import validate
-    from firebreak_gis.files import claiming, make_folder, require_writable, together, write_text
+    from firebreak_gis.files.outputs import write_all
     from firebreak_gis.landscape import read_landscape_folder
-    from firebreak_gis.manifest import provenance, write_manifest
+    from firebreak_gis.manifest import provenance
     from firebreak_gis.progress import part
-    from firebreak_gis.rasters import files_behind, write_raster
-    from firebreak_gis.report.figures import save
-    from firebreak_gis.report.validation import validation_figure
-    from firebreak_gis.schema import annotate
     from firebreak_gis.spread.raster import read_network
 
     output = given["output"]
@@ -88,51 +134,26 @@ def command(
     else:
         params = spread.params(source) if told is None else spread.params_beside(source, told)
         params["model"] = spread.model
-    with claiming(output, folder=True) if output else nullcontext():
-        files = [] if output is None else [Path(output) / name for name in OUTPUTS]
-        for file in files:
-            require_writable(file, overwrite=given["overwrite"], forbid=files_behind(inputs))
-        result = validate(
-            source,
-            scar,
-            start=given["start"],
-            duration=given["duration"],
-            weather=told,
-            n_runs=given["n_runs"],
-            seed=given["seed"],
-            wind=wind,
-            progress=part(session.progress, 0.05, 0.9),
-            **params,
-        )
-        summary = result.summary()
-        if output is not None:
-            place = make_folder(output)
-            grid = result.grid
-            frequency = annotate(grid.dataarray(result.forecast.probability, "burn_frequency"))
-            title = f"{Path(scar).stem}: {summary['observed_ha']:.4g} ha observed"
-            fuel = source["burnable"].to_numpy() if whole else source.burnable
-            with together(place):
-                for name, table in (("scores.csv", result.table()), ("reliability.csv", result.reliability_table())):
-                    text = table.to_csv(index=False, lineterminator="\n")
-                    write_text(place / name, text, overwrite=given["overwrite"])
-                write_raster(
-                    place / "burn_frequency.tif",
-                    frequency,
-                    overwrite=given["overwrite"],
-                    provenance=provenance(recorded(), seed=given["seed"]),
-                    creation_options=given["creation_options"],
-                )
-                figure = validation_figure(result, title=title, fuel=fuel)
-                save(figure, place / "validation.png", overwrite=given["overwrite"])
-                write_manifest(
-                    place / "run.json",
-                    command="validate",
-                    inputs=inputs,
-                    outputs=files[:-1],
-                    parameters=recorded(),
-                    account={"result": summary, **result.account},
-                    overwrite=given["overwrite"],
-                )
+    target = None if output is None else OutputRequest(output, given["overwrite"], given["creation_options"])
+    how = None if target is None else require_outputs(target, OUTPUTS, inputs)
+    result = validate(
+        source,
+        scar,
+        start=given["start"],
+        duration=given["duration"],
+        weather=told,
+        n_runs=given["n_runs"],
+        seed=given["seed"],
+        wind=wind,
+        progress=part(session.progress, 0.05, 0.9),
+        **params,
+    )
+    summary = result.summary()
+    files: list[Path] = []
+    if how is not None:
+        fuel = source["burnable"].to_numpy() if whole else source.burnable
+        how = replace(how, tags=provenance(how.parameters, seed=given["seed"]))
+        files = write_all(OUTPUTS, _Validated(result, fuel, scar), output, how)
     session.finish({"files": files, **summary}, _told(summary, output))
 
 
