@@ -9,12 +9,12 @@ from __future__ import annotations
 import math
 import typing
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from firebreak_gis.errors import GridError, InputError, ParameterError
-from firebreak_gis.grid import Grid
+from firebreak_gis.grid import Grid, traced
 from firebreak_gis.schema import VARIABLES, annotate
 
 if TYPE_CHECKING:
@@ -341,18 +341,13 @@ def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -
     True
     """
     import geopandas as gpd
-    from rasterio.features import shapes
     from scipy import ndimage
-    from shapely.geometry import shape
     from shapely.ops import unary_union
 
     grid = Grid.of(breaks)
     cut = np.asarray(breaks) > 0
-    # Traced over sides only, since a polygon that touches itself at a corner is invalid; then joined.
     labels, n_pieces = ndimage.label(cut, structure=np.ones((3, 3)))
-    parts: dict[int, list[Any]] = {i: [] for i in range(1, n_pieces + 1)}
-    for geometry, label in shapes(labels.astype(np.int32), mask=cut, connectivity=4, transform=grid.transform):
-        parts[int(label)].append(shape(geometry))
+    parts = traced(labels, n_pieces, grid)
     cells = np.bincount(labels.ravel(), minlength=n_pieces + 1)[1:]
     scores = np.zeros(n_pieces)
     if priority is not None:
@@ -369,6 +364,6 @@ def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -
             "area_ha": cells[sequence] * grid.cell_area_ha,
             "mean_priority": scores[sequence],
         },
-        geometry=[unary_union(parts[int(i) + 1]) for i in sequence],
+        geometry=[unary_union(parts[int(i)]) for i in sequence],
         crs=grid.crs,
     )

@@ -16,6 +16,7 @@ from firebreak_gis.errors import CRSError, GridError
 if TYPE_CHECKING:
     import xarray as xr
     from pyproj import CRS
+    from shapely import Geometry, Polygon
 
 #: Transforms that differ by less than this share of a cell are the same grid.
 SAME_GRID_TOLERANCE = 1e-3
@@ -381,3 +382,35 @@ def crs_name(crs: CRS) -> str:
         return f"{crs_name(crs.source_crs)} with its own datum shift"
     epsg = crs.to_epsg()
     return f"EPSG:{epsg}" if epsg else str(crs.name)
+
+
+def traced(ids: np.ndarray, n: int, grid: Grid) -> list[list[Polygon]]:
+    """Trace the cells of each number from 1 to n over their sides, so that what touches at corners is valid.
+
+    Parameters
+    ----------
+    ids
+        (rows, cols) int, 0 for cells that are in none.
+    n
+        Number of lists.
+    grid
+        Where the cells lie.
+    """
+    from rasterio.features import shapes
+    from shapely.geometry import shape
+
+    parts: list[list[Polygon]] = [[] for _ in range(n)]
+    for geometry, number in shapes(ids.astype("int32"), mask=ids > 0, connectivity=4, transform=grid.transform):
+        parts[int(number) - 1].append(shape(geometry))
+    return parts
+
+
+def outlines(ids: np.ndarray, n: int, grid: Grid) -> list[Geometry]:
+    """Outline the cells of each number, as `traced`: a valid polygon or multipolygon each, empty without cells."""
+    import shapely
+
+    whole = [group[0] if len(group) == 1 else shapely.MultiPolygon(group) for group in traced(ids, n, grid)]
+    return [
+        shapely.Polygon() if geometry.is_empty else geometry if geometry.is_valid else shapely.make_valid(geometry)
+        for geometry in whole
+    ]

@@ -21,8 +21,6 @@ STEP_LENGTH: Final = tuple(math.hypot(r, c) for r, c in zip(ROW_STEP, COL_STEP, 
 AZIMUTH: Final = tuple(45.0 * d for d in range(8))
 #: Index of the direction that leads back.
 OPPOSITE: Final = tuple((d + 4) % 8 for d in range(8))
-#: The directions that share a side with the cell.
-ORTHOGONAL: Final = (0, 2, 4, 6)
 
 #: Travel time of an edge that does not exist, as uint32.
 NEVER: Final = 0xFFFFFFFF

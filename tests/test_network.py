@@ -21,7 +21,6 @@ from firebreak_gis.lattice import (
     LONGEST,
     NEVER,
     OPPOSITE,
-    ORTHOGONAL,
     ROW_STEP,
     STEP_LENGTH,
 )
@@ -68,7 +67,6 @@ def test_lattice_is_a_compass():
         assert COL_STEP[d] == pytest.approx(np.sin(angle) * length)
         back = OPPOSITE[d]
         assert (ROW_STEP[back], COL_STEP[back]) == (-ROW_STEP[d], -COL_STEP[d])
-        assert (d in ORTHOGONAL) == (length == 1.0)
 
 
 def test_probability_points_from_the_cell():

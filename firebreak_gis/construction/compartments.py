@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from firebreak_gis.errors import InputError
-from firebreak_gis.grid import Grid
-from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
-from firebreak_gis.network import neighbour
+from firebreak_gis.grid import outlines
+from firebreak_gis.lattice import COL_STEP, ROW_STEP
+from firebreak_gis.placement.edges import passable
 from firebreak_gis.stakes import checked_amounts
 
 if TYPE_CHECKING:
     import geopandas as gpd
-    import shapely
     import xarray as xr
 
     from firebreak_gis.network import SpreadNetwork
@@ -156,45 +155,12 @@ def weights(network: SpreadNetwork, data: Plane | None, name: str) -> np.ndarray
     return checked_amounts(network, data, name)
 
 
-def outlines(ids: np.ndarray, n: int, grid: Grid) -> list[shapely.Geometry]:
-    """Outline the cells of each number from 1 to n.
-
-    Parameters
-    ----------
-    ids
-        (rows, cols) int32, 0 for cells that are in none.
-    n
-        Number of outlines.
-    grid
-        Where the cells lie.
-
-    Returns
-    -------
-    list of shapely geometries
-        Valid polygons or multipolygons; an empty polygon for a number without cells.
-    """
-    import shapely
-    from rasterio.features import shapes
-    from shapely.geometry import shape
-
-    # Traced over sides only: parts of one number then meet at most at corners, which is valid.
-    parts: list[list[shapely.Polygon]] = [[] for _ in range(n)]
-    for geometry, number in shapes(ids.astype(np.int32), mask=ids > 0, connectivity=4, transform=grid.transform):
-        parts[int(number) - 1].append(shape(geometry))
-    whole = [group[0] if len(group) == 1 else shapely.MultiPolygon(group) for group in parts]
-    return [
-        shapely.Polygon() if geometry.is_empty else geometry if geometry.is_valid else shapely.make_valid(geometry)
-        for geometry in whole
-    ]
-
-
 def _links(network: SpreadNetwork) -> np.ndarray:
     """Pairs of cells between which fire can pass, each pair once, (2, m) int32."""
     rows, cols = network.shape
     found = []
     for d in range(4):
-        back = neighbour(network.probability[OPPOSITE[d]], d, network.boundary)
-        row, col = np.nonzero((network.probability[d] > 0) | (back > 0))
+        row, col = np.nonzero(passable(network, d))
         target = (row + ROW_STEP[d]) % rows * cols + (col + COL_STEP[d]) % cols
         found.append(np.array([row * cols + col, target], dtype=np.int32))
     return np.concatenate(found, axis=1)

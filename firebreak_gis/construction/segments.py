@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from firebreak_gis.construction.centrelines import Borders, draw_lines, find_borders
-from firebreak_gis.construction.compartments import Compartments, outlines, split, weights
+from firebreak_gis.construction.compartments import Compartments, split, weights
 from firebreak_gis.construction.sequence import construction_order, gains
+from firebreak_gis.grid import outlines
 from firebreak_gis.kernels.terrain import horn_slope
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 

@@ -39,7 +39,7 @@ MASK_RULES: Mapping[MaskRule, str] = MappingProxyType(
 
 
 @dataclass(frozen=True)
-class Plan:
+class Placing:
     """How a layer comes onto the grid.
 
     Parameters
@@ -61,7 +61,7 @@ class Plan:
     cells: tuple[float, float]
 
 
-def plan(header: Header, grid: Grid) -> Plan:
+def placing(header: Header, grid: Grid) -> Placing:
     """Decide from the header alone how a layer comes onto the grid."""
     upright = _upright(header)
     left, bottom, right, top = grid.bounds
@@ -69,9 +69,9 @@ def plan(header: Header, grid: Grid) -> Plan:
     sides = cell_in(header, grid.crs, (left + right) / 2, (bottom + top) / 2)
     fit = _fit(upright, header, grid)
     if fit is not None:
-        return Plan((*fit, *grid.shape), copy=True, coarser=False, cells=sides)
+        return Placing((*fit, *grid.shape), copy=True, coarser=False, cells=sides)
     coarser = grid.cell_size**2 >= COARSER * sides[0] * sides[1]
-    return Plan(_window(upright, header, grid, sides), copy=False, coarser=coarser, cells=sides)
+    return Placing(_window(upright, header, grid, sides), copy=False, coarser=coarser, cells=sides)
 
 
 def align_values(
@@ -92,7 +92,7 @@ def align_values(
     InputError
         If the values cannot be used (see `rasters.read_cells`).
     """
-    how = plan(header, grid)
+    how = placing(header, grid)
     values = _values(header, how, name, account)
     if settle is not None and values.size:
         values = settle(values)
@@ -115,7 +115,7 @@ def align_quantity(
     flagged
         Takes float32 values, NaN for no data; returns which of them are flags.
     """
-    how = plan(header, grid)
+    how = placing(header, grid)
     values = _values(header, how, name, account)
     account.alignment.append(_sentence(name, header, how, grid, "average" if how.coarser else "bilinear"))
     flags = flagged(values)
@@ -130,14 +130,14 @@ def align_quantity(
     return np.where(voted > 0, words[np.maximum(voted - 1, 0)], quantity)
 
 
-def _values(header: Header, how: Plan, name: str, account: Account) -> np.ndarray:
+def _values(header: Header, how: Placing, name: str, account: Account) -> np.ndarray:
     """Values of the part of a layer that is read, float32, NaN for no data."""
     cells = _read(header, how, account.strict, sentinels=True)
     _tell(cells, name, account)
     return np.where(cells.valid, cells.values, np.nan).astype(np.float32)
 
 
-def _mixed(values: np.ndarray, header: Header, how: Plan, grid: Grid) -> np.ndarray:
+def _mixed(values: np.ndarray, header: Header, how: Placing, grid: Grid) -> np.ndarray:
     if how.copy:
         return values
     if not values.size:
@@ -155,7 +155,7 @@ def align_classes(header: Header, grid: Grid, name: str, account: Account) -> np
     VerificationError
         If a code came out that did not go in.
     """
-    how = plan(header, grid)
+    how = placing(header, grid)
     cells = _read(header, how, strict=False, sentinels=False)
     _tell(cells, name, account)
     codes = _as_codes(cells, header, name)
@@ -299,8 +299,8 @@ def _window(upright: Affine, header: Header, grid: Grid, sides: tuple[float, flo
     return first_row, first_col, max(last_row - first_row, 0), max(last_col - first_col, 0)
 
 
-def _read(header: Header, how: Plan, strict: bool, sentinels: bool) -> Cells:
-    """Read the window of a plan, turned north-up."""
+def _read(header: Header, how: Placing, strict: bool, sentinels: bool) -> Cells:
+    """Read the window of a layer, turned north-up."""
     row, col, rows, cols = how.window
     if rows == 0 or cols == 0:
         empty = np.zeros((0, 0))
@@ -344,12 +344,12 @@ def _as_codes(cells: Cells, header: Header, name: str) -> np.ndarray:
     return codes
 
 
-def _placed(header: Header, how: Plan) -> Placed:
+def _placed(header: Header, how: Placing) -> Placed:
     assert header.crs is not None
     return Placed(_upright(header), header.crs, how.window[0], how.window[1], how.window[2:])
 
 
-def _sentence(name: str, header: Header, how: Plan, grid: Grid, method: str) -> str:
+def _sentence(name: str, header: Header, how: Placing, grid: Grid, method: str) -> str:
     assert header.crs is not None
     if how.copy:
         return f"{name}: copied cell by cell, its cells are those of the grid"

@@ -12,7 +12,7 @@ import numpy as np
 
 from firebreak_gis.errors import InputError, LegendError, ParameterError
 from firebreak_gis.grid import Grid
-from firebreak_gis.landscape.alignment import plan
+from firebreak_gis.landscape.alignment import placing
 from firebreak_gis.landscape.continuity import CONTINUITY
 from firebreak_gis.landscape.flammap import LandscapeFile, read_landscape_file
 from firebreak_gis.landscape.fuel import given_instead
@@ -113,7 +113,7 @@ def memory_needed(layers: Mapping[str, Header], grid: Grid) -> int:
     cells = grid.shape[0] * grid.shape[1]
     largest = 0
     for header in layers.values():
-        how = plan(header, grid)
+        how = placing(header, grid)
         window = how.window[2] * how.window[3]
         coordinates = 0 if how.copy else min(BLOCK, max(cells, window))
         largest = max(largest, 28 * window + (60 if header.crs == grid.crs else 80) * coordinates)

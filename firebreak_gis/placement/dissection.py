@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, patch_links, pieces_after, thin
-from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
-from firebreak_gis.network import neighbour
+from firebreak_gis.lattice import COL_STEP, ROW_STEP
+from firebreak_gis.placement.edges import links, mean_lit
 from firebreak_gis.placement.widening import wall_cost
 from firebreak_gis.threads import run_pieces
 
@@ -120,24 +120,6 @@ def _spans(places: np.ndarray, size: int) -> bool:
     return bool(places.size and places.min() == 0 and places.max() == size - 1)
 
 
-def links(network: SpreadNetwork) -> np.ndarray:
-    """Bits of the directions in which fire can pass either way, (rows, cols) uint8."""
-    out = np.zeros(network.shape, np.uint8)
-    for d in range(8):
-        back = neighbour(network.probability[OPPOSITE[d]], d, network.boundary)
-        out |= ((network.probability[d] > 0) | (back > 0)).astype(np.uint8) << np.uint8(d)
-    return out
-
-
-def _lit(network: SpreadNetwork) -> np.ndarray:
-    """Mean probability with which a cell is lit by its neighbours that hold fuel, (rows, cols) float64."""
-    total, count = np.zeros(network.shape), np.zeros(network.shape)
-    for d in range(8):
-        total += neighbour(network.probability[OPPOSITE[d]], d, network.boundary)
-        count += neighbour(network.burnable, d, network.boundary)
-    return total / np.maximum(count, 1.0)
-
-
 def capacities(network: SpreadNetwork, stakes: Stakes, width: int = 1, *, leaky: bool = False) -> np.ndarray:
     """Whole-number cutting costs for the flow, (rows, cols) int32; `UNCUTTABLE` where protected.
 
@@ -149,7 +131,7 @@ def capacities(network: SpreadNetwork, stakes: Stakes, width: int = 1, *, leaky:
     """
     own = np.where(stakes.protected, 0.0, stakes.cost * stakes.difficulty)
     if leaky:
-        passed = _lit(network) ** width
+        passed = mean_lit(network) ** width
         own = own * (1.0 + _LEAK_WEIGHT * passed / max(float(passed[network.burnable].mean()), 1e-300))
     cost = np.where(network.burnable & ~stakes.protected, wall_cost(own, width, network.boundary), 0.0)
     positive = cost[cost > 0]

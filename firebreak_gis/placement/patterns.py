@@ -11,7 +11,8 @@ import numpy as np
 from firebreak_gis.breaks import Budget
 from firebreak_gis.kernels.flow import patch_links, pieces_after
 from firebreak_gis.lattice import AZIMUTH, COL_STEP, ROW_STEP
-from firebreak_gis.placement.dissection import along, lines_first, links
+from firebreak_gis.placement.dissection import along, lines_first
+from firebreak_gis.placement.edges import links
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork

@@ -40,7 +40,7 @@ _PATIENCE = 10
 _MOST = 16
 
 
-class _Plan:
+class _CutSet:
     """A set of cut cells on fixed fires; what each change does, in units of value."""
 
     def __init__(
@@ -202,7 +202,7 @@ def refine(
     price = stakes.cost if budget.unit == "cost" else network.burnable.astype(np.float64)
     limit = budget.amount if budget.unit == "cost" else float(np.count_nonzero(before))
     design = fires or design_fires(network, stakes, n_runs=n_runs, seed=seed, residual=residual)
-    plan = _Plan(network, stakes, plane > -np.inf, before, design, price, limit, threads)
+    plan = _CutSet(network, stakes, plane > -np.inf, before, design, price, limit, threads)
     cells = _search(plan, moves, seed, part(progress, 0.0, 0.9))
     after = np.zeros(network.shape, bool)
     after.ravel()[cells] = True
@@ -220,7 +220,7 @@ def refine(
     return np.where(plane > -np.inf, refined, -np.inf)
 
 
-def _search(plan: _Plan, moves: int, seed: int, progress: Progress) -> np.ndarray:
+def _search(plan: _CutSet, moves: int, seed: int, progress: Progress) -> np.ndarray:
     """Cells of the best plan found."""
     size = max(int(_FIRST * plan.cells.size), 1)
     lost = plan.spend(-(-size // _STEPS), part(progress, 0.0, 0.0))
@@ -248,13 +248,13 @@ def _search(plan: _Plan, moves: int, seed: int, progress: Progress) -> np.ndarra
     return plan.cells
 
 
-def _exchange(plan: _Plan, size: int, progress: Progress) -> float:
+def _exchange(plan: _CutSet, size: int, progress: Progress) -> float:
     """Leave the cells that do least and spend the money anew; the loss then."""
     plan.alive[plan.apart(plan.least(part(progress, 0.0, 0.5)), size)] = True
     return plan.spend(-(-size // _STEPS), part(progress, 0.5, 0.5))
 
 
-def _disturb(plan: _Plan, random: np.random.Generator, progress: Progress) -> float:
+def _disturb(plan: _CutSet, random: np.random.Generator, progress: Progress) -> float:
     """Leave cells near each other, or anywhere, and spend the money by one of two scores; the loss then."""
     cells = plan.cells
     count = int(random.integers(2, min(max(cells.size // 2, 2), _MOST) + 1))
@@ -269,7 +269,7 @@ def _disturb(plan: _Plan, random: np.random.Generator, progress: Progress) -> fl
     return plan.spend(1, part(progress, 0.5, 0.5))
 
 
-def _swap(plan: _Plan, barred: dict[int, int], move: int, progress: Progress) -> float:
+def _swap(plan: _CutSet, barred: dict[int, int], move: int, progress: Progress) -> float:
     """Make the best swap that is not barred; the loss then, inf if there is none."""
     ranked = plan.least(part(progress, 0.0, 0.1)).tolist()
     tried = [cell for cell in ranked if barred.get(cell, -1) < move][:_TRIES]

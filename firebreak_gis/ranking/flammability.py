@@ -9,12 +9,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from firebreak_gis.lattice import OPPOSITE
-from firebreak_gis.network import neighbour
+from firebreak_gis.placement.edges import mean_lit
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
     from firebreak_gis.stakes import Stakes
@@ -37,9 +36,4 @@ def rank(
     progress: Progress,
 ) -> np.ndarray:
     """Return the mean probability of being lit, (rows, cols) float64; 0 without burnable neighbours."""
-    total = np.zeros(network.shape)
-    count = np.zeros(network.shape)
-    for d in range(8):
-        total += neighbour(network.probability[OPPOSITE[d]], d, network.boundary)
-        count += neighbour(network.burnable, d, network.boundary)
-    return np.divide(total, count, out=np.zeros(network.shape), where=count > 0)
+    return mean_lit(network)

@@ -14,7 +14,8 @@ from firebreak_gis.breaks import removal_order, select_breaks
 from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, patch_links
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.network import SpreadNetwork
-from firebreak_gis.placement.dissection import Cut, capacities, dissect, links, sequence
+from firebreak_gis.placement.dissection import Cut, capacities, dissect, sequence
+from firebreak_gis.placement.edges import links
 from firebreak_gis.placement.patterns import ExpectedLoss
 from firebreak_gis.placement.widening import walls
 from firebreak_gis.progress import silent
