@@ -59,8 +59,11 @@ def command(
         breaks=read_breaks(mask, untouched.grid, session) if mask else None,
         progress=part(session.progress, 0.05, 0.95),
     )
-    told = asdict(fires) | {"breaks": mask is not None}
-    tags = provenance({key: value for key, value in told.items() if key != "seed"}, seed=fires.seed)
+    # What makes no difference is not told, so that equal fires have equal files as fields are added.
+    usual = ("ignitions", "ignition_mode", "n_runs", "residual")
+    default = asdict(FireRequest(seed=fires.seed))
+    told = {key: value for key, value in asdict(fires).items() if key in usual or value != default[key]}
+    tags = provenance({**told, "breaks": mask is not None}, seed=fires.seed)
     cells = burns["fire_size"].to_numpy()
     with together(*(Path(name).parent for name in files)):
         write_raster(
