@@ -189,7 +189,7 @@ def align_mask(header: Header, grid: Grid, name: str, account: Account, rule: Ma
     InputError
         If the raster lies elsewhere, or holds fractions.
     """
-    how = plan(header, grid)
+    how = placing(header, grid)
     cells = _read(header, how, strict=False, sentinels=False)
     _tell(cells, name, account)
     inside = cells.values[cells.valid]
@@ -234,7 +234,7 @@ def align_amounts(header: Header, grid: Grid, name: str, account: Account) -> np
     InputError
         If the values cannot be used, or lie elsewhere.
     """
-    how = plan(header, grid)
+    how = placing(header, grid)
     cells = _read(header, how, account.strict, sentinels=True)
     _tell(cells, name, account)
     placed = _placed(header, how)

@@ -18,7 +18,7 @@ from click.testing import CliRunner
 from firebreak_gis.cli import firebreak, kinds
 from firebreak_gis.cli.outputs import outputs_of
 from firebreak_gis.files.outputs import labels, names
-from tests.places import patches, three, write
+from tests.places import three, write
 
 ROWS, COLS = 24, 31
 #: What a command is given, by the name of the parameter; one that is required and not here fails the test.
@@ -36,7 +36,13 @@ GIVEN = {
     "method_list": "degree,random",
     "budgets": "0.1",
     "residuals": "0",
+    "scar": "scar.tif",
+    "start": "start.tif",
+    "duration": "1h",
+    "fit": "rate",
 }
+#: What the same name means elsewhere.
+OWN = {"calibrate": {"folder": "cases.csv"}}
 
 
 def walk(group, before=()):
@@ -65,9 +71,9 @@ def words(name, **targets):
     """A whole command line; `targets` are the files to write by parameter, all by default."""
     said = name.split()
     for param in WRITING[name].params:
-        value = GIVEN.get(param.name)
+        value = (GIVEN | OWN.get(name, {})).get(param.name)
         if isinstance(param, click.Argument):
-            said.append(value)
+            said += [value] if value is not None else []
         elif value is not None and not isinstance(param.type, kinds.NewFile):
             said += [param.opts[0], value]
     places = targets or {p.name: places_of(name)[i] for i, p in enumerate(new_files(name))} or {"output": "out"}
@@ -89,9 +95,14 @@ def template(tmp_path_factory):
     folder = tmp_path_factory.mktemp("inputs")
     three(folder, ROWS, COLS)
     write(folder / "net.tif", np.full((8, ROWS, COLS), 0.5, "float32"))
-    write(folder / "priority.tif", np.arange(ROWS * COLS, dtype="float32").reshape(ROWS, COLS))
-    write(folder / "mask.tif", (patches(ROWS, COLS, [0, 1]) == 1).astype("uint8"))
+    assert call("rank", folder / "net.tif", "--method", "degree", "-o", folder / "priority.tif").exit_code == 0
+    assert call("breaks", folder / "priority.tif", "-o", folder / "mask.tif").exit_code == 0
     (folder / "side").mkdir()
+    scar, start = np.zeros((ROWS, COLS), "uint8"), np.zeros((ROWS, COLS), "uint8")
+    scar[8:18, 8:22] = start[11:15, 12:17] = 1
+    write(folder / "scar.tif", scar)
+    write(folder / "start.tif", start)
+    (folder / "cases.csv").write_text("landscape,scar,start,duration\nland,scar.tif,start.tif,1h\n")
     layers = [str(folder / f"{name}.tif") for name in ("dem", "vegetation", "density")]
     assert call("align", *layers, "-o", folder / "land").exit_code == 0
     (folder / "numbers.csv").write_text("code,vegetation\n0,none\n1,agricultural\n2,0.1\n3,pines\n")
