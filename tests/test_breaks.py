@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from firebreak_gis.breaks import Budget, break_polygons, removal_order, select_breaks
-from firebreak_gis.errors import GridError, ParameterError
+from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid, parse_crs
 from tests.twins import breaks as twin
 
@@ -110,3 +110,29 @@ def test_polygons_are_the_pieces(cut):
     row, col = np.nonzero(cut)
     points = gpd.GeoSeries(gpd.points_from_xy(GRID.x[col], GRID.y[row]), crs=GRID.crs)
     assert points.within(frame.union_all()).all()
+
+
+def test_money_buys_only_cells_whose_cost_is_known():
+    priority = np.arange(12.0).reshape(3, 4)
+    for wrong in (np.nan, -1.0, np.inf):
+        cost = np.ones((3, 4))
+        cost[1, 2] = wrong
+        with pytest.raises(InputError, match="missing, negative or infinite on 1 cells"):
+            select_breaks(priority, budget=3.0, unit="cost", cost=cost)
+        never = np.where(np.isfinite(cost) & (cost >= 0), priority, -np.inf)
+        assert select_breaks(never, budget=3.0, unit="cost", cost=cost).attrs["cells_cut"] == 3
+
+
+def test_another_variable_is_no_ranking():
+    from firebreak_gis import SpreadNetwork, burn_curve, evaluate
+
+    network = SpreadNetwork(np.full((8, 3, 4), 0.5))
+    other = network.grid.dataarray(np.arange(12.0).reshape(3, 4), "elevation")
+    meant = other.rename("priority")
+    with pytest.raises(InputError, match=r"is elevation \(terrain elevation\), expected priority"):
+        select_breaks(other, budget=0.5)
+    assert select_breaks(meant, budget=0.5).attrs["cells_cut"] == 6
+    with pytest.raises(InputError, match="expected priority"):
+        burn_curve(network, other, budgets=[0.0, 0.5], n_runs=2)
+    with pytest.raises(InputError, match="expected priority"):
+        evaluate(network, {"random": meant, "dem": other}, budgets=[0.0, 0.5], n_runs=2)

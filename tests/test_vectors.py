@@ -2,6 +2,7 @@
 
 import importlib.util
 import time
+import zipfile
 
 import geopandas as gpd
 import numpy as np
@@ -12,6 +13,7 @@ from pyproj import Transformer
 
 from firebreak_gis import vectors
 from firebreak_gis.errors import CRSError, InputError, MissingComponentError, OutputError, VerificationError
+from firebreak_gis.files.sources import filtered
 
 UTM = "EPSG:32635"
 
@@ -213,3 +215,108 @@ def test_names_cut_in_the_middle_of_a_letter_are_read(tmp_path):
     back = vectors.read_polygons(tmp_path / "scar.shp", UTM)
     assert list(back[back.columns[0]]) == [1, 2, 3]
     assert back.area.tolist() == [2000.0] * 3
+
+
+def roads():
+    """Three points, two of them on primary roads."""
+    places = [shapely.Point(576_500 + 10 * i, 4_001_000) for i in range(3)]
+    return gpd.GeoDataFrame({"highway": ["primary", "path", "primary"], "lanes": [2, 1, 4]}, geometry=places, crs=UTM)
+
+
+def test_a_file_with_several_layers_asks_which(tmp_path):
+    path = points_file(tmp_path)
+    with pytest.raises(
+        InputError, match=r"several layers: villages, roads; say which, e\.g\. '.*\|layername=villages'"
+    ):
+        vectors.read_points(path, UTM)
+    with pytest.raises(InputError, match="has no layer 'rivers'; it has villages, roads"):
+        vectors.read_points(f"{path}|layername=rivers", UTM)
+    assert list(vectors.read_points(f"{path}|layerid=1", UTM)["n"]) == [3, 3]
+    roads().iloc[:0].to_file(tmp_path / "one.gpkg", layer="empty")
+    roads().to_file(tmp_path / "one.gpkg", layer="roads")
+    assert len(vectors.read_points(tmp_path / "one.gpkg", UTM)) == 3  # the other holds nothing
+
+
+def test_a_condition_filters_features(tmp_path):
+    roads().to_file(tmp_path / "osm.gpkg", layer="roads")
+    boxes().to_file(tmp_path / "osm.gpkg", layer="areas")
+    name = f"{tmp_path / 'osm.gpkg'}|layername=roads|subset=\"highway\" = 'primary'"
+    assert list(vectors.read_points(name, UTM)["lanes"]) == [2, 4]
+    assert list(vectors.read_points(filtered(name, "lanes > 2"), UTM)["lanes"]) == [4]
+    with pytest.raises(InputError, match="holds no points that the filter lets through"):
+        vectors.read_points(filtered(name, "lanes > 9"), UTM)
+    for wrong in ("width > 2", "lanes >", "lanes = 'a"):
+        with pytest.raises(InputError, match=r"the filter .* does not work"):
+            vectors.read_points(filtered(name, wrong), UTM)
+
+
+@pytest.mark.parametrize("suffix", [".shp", ".tab", ".geojsonl", ".gdb", ".zip"])
+def test_files_that_people_have_are_vectors(tmp_path, suffix):
+    drivers = {".tab": "MapInfo File", ".geojsonl": "GeoJSONSeq", ".gdb": "OpenFileGDB"}
+    place = tmp_path / f"a{'.shp' if suffix == '.zip' else suffix}"
+    data = roads().to_crs(4326) if suffix == ".geojsonl" else roads()
+    data.astype({"lanes": "int32"}).to_file(place, driver=drivers.get(suffix))
+    if suffix == ".zip":
+        with zipfile.ZipFile(tmp_path / "a.zip", "w") as archive:
+            for part in tmp_path.glob("a.*"):
+                if part.suffix != ".zip":
+                    archive.write(part, f"a folder/{part.name}")
+        place = tmp_path / "a.zip"
+    assert vectors.is_vector(str(place))
+    found = vectors.read_points(place, UTM)
+    assert list(found["lanes"]) == [2, 1, 4]
+    np.testing.assert_allclose(found.get_coordinates(), roads().get_coordinates(), atol=1e-3)
+    assert len(vectors.read_points(filtered(str(place), "highway = 'primary'"), UTM)) == 2
+
+
+def test_archives_with_several_files_ask_which_and_others_say_what_they_hold(tmp_path):
+    for name in ("a", "b"):
+        vectors.write_vector(tmp_path / f"{name}.gpkg", roads())
+    with zipfile.ZipFile(tmp_path / "two.zip", "w") as archive:
+        archive.write(tmp_path / "a.gpkg", "x/a.gpkg")
+        archive.write(tmp_path / "b.gpkg", "x/b.gpkg")
+    with pytest.raises(InputError, match=r"holds x/a\.gpkg, x/b\.gpkg; say which, e\.g\. '.*\|layername=a'"):
+        vectors.read_points(tmp_path / "two.zip", UTM)
+    assert len(vectors.read_points(f"{tmp_path / 'two.zip'}|layername=b", UTM)) == 3
+    with zipfile.ZipFile(tmp_path / "r.zip", "w") as archive:
+        archive.writestr("people.tif", b"II*")
+    with pytest.raises(InputError, match=r"holds no vector file, but people\.tif; unpack it first"):
+        vectors.read_points(tmp_path / "r.zip", UTM)
+    (tmp_path / "bad.zip").write_bytes(b"PK no archive")
+    with pytest.raises(InputError, match="cannot be read as an archive"):
+        vectors.read_points(tmp_path / "bad.zip", UTM)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("x,y,n\n576500.5,4001000,3\n", (576_500.5, 4_001_000)),
+        ("n;Easting;Northing\n3;576500,5;4001000\n", (576_500.5, 4_001_000)),
+        ("n\tX\tY\n3\t576500.5\t4001000\n", (576_500.5, 4_001_000)),
+        ("\N{ZERO WIDTH NO-BREAK SPACE}Longitude,latitude,n\n27.85,36.15,3\n", None),
+        ("lat;lon;n\n36,15;27,85;3\n", None),
+    ],
+)
+def test_tables_with_coordinates_are_points(tmp_path, text, expected):
+    (tmp_path / "p.csv").write_text(text, encoding="utf-8")
+    found = vectors.read_points(tmp_path / "p.csv", UTM)
+    place = expected or Transformer.from_crs(4326, UTM, always_xy=True).transform(27.85, 36.15)
+    np.testing.assert_allclose(found.get_coordinates(), [place])
+    assert list(found["n"]) == [3]
+    assert "were taken as EPSG:" in found.attrs["notes"][0]
+
+
+def test_tables_that_are_unclear_are_refused(tmp_path):
+    path = tmp_path / "p.csv"
+    for text, told in (
+        ("x,y\n27.85,36.15\n", "look like degrees"),
+        ("x,y\n1,here\n", "no numbers in line 2"),
+        ("x,y\n500000,4000000\n,\n", "no numbers in line 3"),
+        ("lon,lat\n27.85,95\n", "cannot describe"),
+    ):
+        path.write_text(text)
+        with pytest.raises(InputError, match=told):
+            vectors.read_points(path, UTM)
+    path.write_text("x,y\n500000,4000000\n")
+    with pytest.raises(InputError, match="cannot be filtered"):
+        vectors.read_points(f"{path}|subset=x > 1", UTM)

@@ -203,3 +203,13 @@ def test_progress_rises_and_may_stop_the_work(network, threads):
         simulate(network, n_runs=500, threads=threads, progress=stop)
     with pytest.raises(Cancelled):
         burn_curve(network, priority, budgets=[0, 0.5], n_runs=500, threads=threads, progress=stop)
+
+
+@pytest.mark.parametrize("wrong", [np.nan, -1.0, np.inf, 1e308])
+def test_values_that_make_no_sense_are_refused(network, wrong):
+    value = np.ones(network.shape)
+    value[~network.burnable] = np.nan  # nothing is lost there
+    simulate(network, value=value, n_runs=2)
+    value[network.burnable] = wrong
+    with pytest.raises(InputError, match="value"):
+        simulate(network, value=value, n_runs=2)
