@@ -15,7 +15,9 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     from firebreak_gis.breaks import break_polygons, removal_order, select_breaks
     from firebreak_gis.errors import Cancelled, FirebreakError
+    from firebreak_gis.evaluation.calibration import calibrate_scars, calibrate_sizes
     from firebreak_gis.evaluation.curves import evaluate
+    from firebreak_gis.evaluation.forecasting import validate
     from firebreak_gis.landscape import read_landscape
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.planning.design import rank
@@ -32,6 +34,8 @@ if TYPE_CHECKING:
 _HOMES = {
     "break_polygons": "breaks",
     "burn_curve": "simulation.fires",
+    "calibrate_scars": "evaluation.calibration",
+    "calibrate_sizes": "evaluation.calibration",
     "Cancelled": "errors",
     "evaluate": "evaluation.curves",
     "FirebreakError": "errors",
@@ -48,6 +52,7 @@ _HOMES = {
     "spread_network": "spread",
     "SpreadNetwork": "network",
     "weather_networks": "spread",
+    "validate": "evaluation.forecasting",
     "write_raster": "rasters",
     "write_vector": "vectors",
 }

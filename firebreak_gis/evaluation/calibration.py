@@ -39,6 +39,9 @@ P0_TRIED = (0.3, 0.4, 0.5, 0.58, 0.7, 0.85)
 #: Hours of a day in which a fire spreads: the median burn period of 164 Portuguese fires (Benali et al. 2023,
 #: PT-FireSprd, doi 10.5194/essd-15-3791-2023).
 HOURS_A_DAY = 7.5
+_DAY, _LONGEST = 24 * 3600.0, 200 * 3600.0
+#: So many times as long as the longest fire simulated ones grow, for rates that are higher than those of the model.
+_FURTHER = 2.0
 #: The fit of a rate ends when mean size and observed size agree so well, or after so many simulations.
 _CLOSE, _MOST_TRIES = 0.03, 8
 _SLOWEST, _FASTEST = 0.005, 50.0
@@ -180,7 +183,7 @@ def calibrate_sizes(
     least: float = 100.0,
     large: float = 1000.0,
     hours_a_day: float = HOURS_A_DAY,
-    longest: float = 200 * 3600.0,
+    longest: float | None = None,
     n_runs: int = 400,
     seed: int = 0,
     threads: int | None = None,
@@ -210,7 +213,8 @@ def calibrate_sizes(
     hours_a_day
         How long a fire spreads on each of its days. An assumption: it only tells rates and durations apart.
     longest
-        How long the simulated fires grow [s]; longer durations count as this.
+        No fire spreads longer than this [s]. By default as many whole days as the longest observed fire, or 200 hours
+        if no days are known.
     n_runs, seed, threads, progress, params
         Of the simulation.
 
@@ -235,20 +239,24 @@ def calibrate_sizes(
     wanted = _checked({"duration", *fit}, ("rate", "duration", "p0"), int(counted.sum()))
     dated = counted & np.isfinite(days)
     tried = P0_TRIED if "p0" in wanted else (None,)
-    found: list[tuple[float, float | None, Growth, Durations]] = []
+    if longest is None:
+        longest = float(np.nanmax(days)) * _DAY if np.isfinite(days).any() else _LONGEST
+    found: list[tuple[float, float | None, float, Growth, Durations]] = []
     for k, p0 in enumerate(tried):
         step = part(progress, 0.9 * k / len(tried), 0.9 * (k + 1) / len(tried))
         more = {**params} if p0 is None else {**params, "p0": p0}
+        # Fires whose rates turn out to be higher than simulated grow further in their time.
         growth = growth_of(
-            landscape, weather, ignitions=ignitions, longest=longest, n_runs=n_runs, seed=seed, threads=threads,
-            progress=step, **more,
+            landscape, weather, ignitions=ignitions, longest=_FURTHER * longest, n_runs=n_runs, seed=seed,
+            threads=threads, progress=step, **more,
         )  # fmt: skip
+        scale = 1.0
+        if "rate" in wanted:
+            scale = fire_sizes.rate_factor(growth, sizes[dated], days[dated] * hours_a_day * 3600.0)
+        growth = growth.until(longest * min(scale, _FURTHER))
         durations = fire_sizes.fit_durations(growth, sizes, least=least)
-        found.append((fire_sizes.distance(growth, durations, sizes, least=least), p0, growth, durations))
-    apart, p0, growth, durations = min(found, key=lambda one: one[0])
-    scale = 1.0
-    if "rate" in wanted:
-        scale = fire_sizes.rate_factor(growth, sizes[dated], days[dated] * hours_a_day * 3600.0)
+        found.append((fire_sizes.distance(growth, durations, sizes, least=least), p0, scale, growth, durations))
+    apart, p0, scale, growth, durations = min(found, key=lambda one: one[0])
     part(progress, 0.9, 1.0)(0.0, "each fire left out")
     places = fire_sizes.leave_one_out(growth, sizes, least=least)[counted]
     simulated = fire_sizes.sample_sizes(growth, durations, seed=seed)
@@ -266,7 +274,7 @@ def calibrate_sizes(
     given = {**({} if p0 is None else {"p0": p0}), **({"rate_scale": round(scale, 6)} if "rate" in wanted else {})}
     parameters = {
         "clock": True,
-        "duration": f"lognormal:{durations.median / scale:.0f}s,{durations.sigma:.4g}",
+        "duration": f"lognormal:{durations.median / scale:.4g}s,{durations.sigma:.4g},{longest:.0f}s",
         **({"weather": name} if name else {}),
         "model-param": {**params, **given},
     }
@@ -276,6 +284,7 @@ def calibrate_sizes(
     )
     notes = [
         f"fitted to the {int(counted.sum())} fires of {least:g} ha or more; smaller ones are not foretold",
+        f"no fire spreads longer than {longest / 3600:g} hours",
         told_apart if "rate" in wanted else "rates are those of the spread model; only durations were fitted",
     ]
     table = pd.DataFrame({"ha": sizes[counted], "days": days[counted], "place_left_out": places})

@@ -52,6 +52,12 @@ class Growth(NamedTuple):
         sizes = np.log(self.hectares)
         return np.asarray(np.exp((1.0 - share) * sizes[runs, right - 1] + share * sizes[runs, right]))
 
+    def until(self, seconds: float) -> Growth:
+        """Return the growth up to a time, at which all fires end."""
+        times = np.append(self.times[self.times < seconds], min(seconds, self.times[-1]))
+        runs = self.hectares.shape[0]
+        return Growth(times, np.column_stack([self.at(np.full(runs, time)) for time in times]))
+
     def log_time_of(self, sizes: np.ndarray) -> np.ndarray:
         """Logarithm of the time at which each run grows beyond each size, (n_runs, n_sizes); inf if it never does.
 

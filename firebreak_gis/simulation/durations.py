@@ -20,7 +20,7 @@ ENDLESS: Final = 1 << 62
 _LONGEST = 1 << 32
 _UNITS: Final = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86_400.0}
 _TIME = re.compile(r"\s*([0-9]*\.?[0-9]+(?:e[+-]?[0-9]+)?)\s*(s|min|h|d)?\s*", re.IGNORECASE)
-_FORMS = "8h, 90min, 2d, inf, a list such as 4h,8h, lognormal:8h,0.7, uniform:2h,12h, or weather"
+_FORMS = "8h, 90min, 2d, inf, a list such as 4h,8h, lognormal:8h,0.7, lognormal:8h,0.7,48h, uniform:2h,12h, or weather"
 
 
 @dataclass(frozen=True)
@@ -31,8 +31,8 @@ class Duration:
     ----------
     kind
         `fixed`: always `values[0]` seconds. `turns`: the runs take the values in turn. `lognormal`: `values` are the
-        median [s] and the standard deviation of the logarithm. `uniform`: between two values. `weather`: as the weather
-        of the run tells.
+        median [s], the standard deviation of the logarithm, and perhaps the longest time [s], to which longer ones are
+        cut. `uniform`: between two values. `weather`: as the weather of the run tells.
     values
         See `kind`; infinite times are those of fires that end by themselves.
 
@@ -48,7 +48,7 @@ class Duration:
     values: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
-        times = self.values[:1] if self.kind == "lognormal" else self.values
+        times = self.values[::2] if self.kind == "lognormal" else self.values
         for time in times:
             if not (time > 0 and (time <= _LONGEST or (math.isinf(time) and self.kind in ("fixed", "turns")))):
                 raise ParameterError(
@@ -79,9 +79,10 @@ class Duration:
             low, high = self.values
             drawn = [low + (high - low) * share for share in shares]
         else:
-            median, sigma = self.values
+            median, sigma, *most = self.values
             normal = NormalDist().inv_cdf
             drawn = [median * math.exp(sigma * normal(max(share, 2.0**-53))) for share in shares]
+            drawn = [min(time, *most) for time in drawn] if most else drawn
         return np.array([min(max(round(t), 1), _LONGEST) for t in drawn], np.int64)
 
     def told(self) -> str:
@@ -89,7 +90,8 @@ class Duration:
         if self.kind == "weather":
             return "as the weather tells"
         if self.kind == "lognormal":
-            return f"lognormal, median {clock(self.values[0])}, sigma {self.values[1]:g}"
+            most = "".join(f", at most {clock(time)}" for time in self.values[2:])
+            return f"lognormal, median {clock(self.values[0])}, sigma {self.values[1]:g}{most}"
         if self.kind == "uniform":
             return f"uniform, {clock(self.values[0])} to {clock(self.values[1])}"
         return ", ".join(map(clock, self.values))
@@ -161,8 +163,9 @@ def as_duration(given: Any, what: str = "duration") -> Duration:
             return Duration("weather")
         if not colon:
             return _times(words, what)
-        if kind == "lognormal" and len(words) == 2:
-            return Duration("lognormal", (as_seconds(words[0], what), _number(words[1], what)))
+        if kind == "lognormal" and len(words) in (2, 3):
+            most = [as_seconds(word, what) for word in words[2:]]
+            return Duration("lognormal", (as_seconds(words[0], what), _number(words[1], what), *most))
         if kind == "uniform" and len(words) == 2:
             return Duration("uniform", (as_seconds(words[0], what), as_seconds(words[1], what)))
         raise ParameterError(f"{what} is {given!r}, expected {_FORMS}")

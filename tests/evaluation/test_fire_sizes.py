@@ -54,6 +54,17 @@ def test_at_and_times_against_numpy_run_by_run():
             assert np.exp(np.interp(log_time, np.log(TIMES), np.log(line))) == pytest.approx(size)
 
 
+def test_growth_ends_where_it_is_told():
+    growth = growing(20, seed=3)
+    short = growth.until(9 * 3600.0)
+    assert short.times[-1] == 9 * 3600.0
+    early = np.full(20, 5000.0)
+    assert short.at(early) == pytest.approx(growth.at(early))
+    assert short.at(np.full(20, 1e6)) == pytest.approx(growth.at(np.full(20, 9 * 3600.0)))
+    size = float(np.median(short.hectares[:, -1])) * 1.01
+    assert np.isinf(short.log_time_of(np.array([size]))).sum() >= 10
+
+
 @pytest.mark.parametrize("durations", [Durations(5 * 3600, 0.4), Durations(12 * 3600, 1.5)])
 def test_the_formula_is_what_drawing_gives(durations):
     growth = growing()

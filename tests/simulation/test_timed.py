@@ -396,6 +396,15 @@ def test_durations_follow_their_law():
     np.testing.assert_array_equal(as_duration("lognormal:8h,0.7").of_runs(seed=1, n_runs=7, first_run=9), drawn[9:16])
 
 
+def test_drawn_durations_end_at_the_longest_one():
+    free = as_duration("lognormal:8h,0.7").of_runs(seed=1, n_runs=500)
+    capped = as_duration("lognormal:8h,0.7,12h")
+    np.testing.assert_array_equal(capped.of_runs(seed=1, n_runs=500), np.minimum(free, 12 * 3600))
+    assert capped.told() == "lognormal, median 8 h, sigma 0.7, at most 12 h"
+    with pytest.raises(ParameterError, match="more than 0"):
+        as_duration("lognormal:8h,0.7,0h")
+
+
 @pytest.mark.parametrize("given", ["8 parsecs", "lognormal:8h", "normal:8h,1", "0h", "-3", "", "uniform:9h,2h", []])
 def test_durations_that_are_none_are_refused(given):
     with pytest.raises(ParameterError, match=r"duration"):

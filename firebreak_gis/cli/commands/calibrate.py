@@ -56,7 +56,9 @@ _COLUMNS = ("landscape", "scar", "start", "duration", "weather", "step")
     help="Hours for which a fire spreads on each of its days; an assumption that tells rates and durations apart.",
 )
 @click.option(
-    "--longest", default="200h", show_default=True, metavar="TIME", help="How long simulated fires grow at most."
+    "--longest",
+    metavar="TIME",
+    help="No fire spreads longer [default: as many whole days as the longest observed fire, or 200h].",
 )
 @click.option("--runs", "n_runs", type=kinds.COUNT, default=400, show_default=True, help="Number of simulated fires.")
 @click.option(
@@ -128,7 +130,7 @@ def command(
             fit=given["fit"],
             least=given["least"],
             hours_a_day=given["hours_a_day"],
-            longest=as_seconds(given["longest"], "--longest"),
+            longest=None if given["longest"] is None else as_seconds(given["longest"], "--longest"),
             **common,
             **given["model_params"],
         )
