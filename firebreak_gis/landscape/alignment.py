@@ -224,10 +224,12 @@ def align_mask(header: Header, grid: Grid, name: str, account: Account, rule: Ma
     return touched(mask, placed, grid, how.cells)
 
 
-def align_amounts(header: Header, grid: Grid, name: str, account: Account) -> np.ndarray:
+def align_amounts(
+    header: Header, grid: Grid, name: str, account: Account, *, settle: Callable[[np.ndarray], np.ndarray]
+) -> np.ndarray:
     """Return amounts (so much in each cell, such as people) on the grid as float64 (rows, cols), their sum kept.
 
-    Cells without data hold nothing, which is said.
+    Cells without data hold nothing, which is said. `settle` is as in `align_values`.
 
     Raises
     ------
@@ -246,7 +248,7 @@ def align_amounts(header: Header, grid: Grid, name: str, account: Account) -> np
         account.alignment.append(
             f"{name}: no data on {missing} cells ({missing * grid.cell_area_ha:,.6g} ha), counted as 0"
         )
-    amounts = np.where(cells.valid, cells.values, 0.0).astype(np.float64)
+    amounts = np.nan_to_num(settle(np.where(cells.valid, cells.values, np.nan).astype(np.float64)), nan=0.0)
     account.alignment.append(_sentence(name, header, how, grid, "shares that keep the sum"))
     return amounts if how.copy else shared_out(amounts, placed, grid, how.cells)
 

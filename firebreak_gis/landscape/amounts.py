@@ -10,8 +10,10 @@ from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.alignment import align_amounts
 from firebreak_gis.landscape.footprints import Footprints, footprints
-from firebreak_gis.landscape.planes import Source, open_header, value_plane
+from firebreak_gis.landscape.planes import Source, open_header, require_not_negative, value_plane
 from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.rasters import Header
+from firebreak_gis.rasters.units import per_hectare, told
 from firebreak_gis.vectors import is_vector
 
 if TYPE_CHECKING:
@@ -63,10 +65,11 @@ def value_at_risk(
     if is_vector(source):
         return _drawn(source, grid, field, values_as, account)
     if values_as == "amount":
-        plane = align_amounts(open_header(source), grid, "values", account)
+        header = open_header(source)
+        plane = align_amounts(header, grid, "values", account, settle=lambda values: _counted(values, header))
         _tell_total(plane, "amounts, so much in each cell of the raster", grid, account)
         return plane
-    density = value_plane(source, grid, what="values", account=account)
+    density = value_plane(source, grid, what="values", account=account, settle=_a_hectare)
     missing = int(np.count_nonzero(np.isnan(density)))
     if missing:
         account.alignment.append(
@@ -119,7 +122,7 @@ def cost_per_hectare(
             raise ParameterError("cost polygons need the column that holds the cost a hectare; name it (--cost-field)")
         plane = _priced(source, grid, field, account)
     else:
-        plane = value_plane(source, grid, what="cost", account=account)
+        plane = value_plane(source, grid, what="cost", account=account, settle=_a_hectare)
     if default is not None:
         missing = int(np.count_nonzero(np.isnan(plane)))
         if missing:
@@ -156,6 +159,33 @@ def numbers_of(frame: gpd.GeoDataFrame, field: str | None, what: str) -> np.ndar
             "features, expected numbers"
         )
     return np.asarray(numbers)
+
+
+def _counted(amounts: np.ndarray, header: Header) -> np.ndarray:
+    """Amounts as they are, if they can be: in no unit of an area."""
+    require_not_negative(amounts, header, "values")
+    if per_hectare(header.units) is not None:
+        raise InputError(
+            f"{header.path} is in {header.units!r}, so much for an area and not in each cell; take it so "
+            "(--values-as density)"
+        )
+    return amounts
+
+
+def _a_hectare(values: np.ndarray, header: Header, account: Account) -> np.ndarray:
+    """Turn so much for an area into so much for a hectare."""
+    unit = told(header.units)
+    if unit in ("", "1"):
+        return values
+    factor = per_hectare(unit)
+    if factor is None:
+        raise InputError(
+            f"{header.path} is in {unit!r}, expected so much for an area, such as EUR/ha, EUR/m2, EUR/km2 or EUR/acre; "
+            "if it is so much for a hectare, say so: gdal_edit.py -units 1/ha FILE"
+        )
+    if factor != 1.0:
+        account.alignment.append(f"{header.path}: multiplied by {factor:.6g} to turn {unit} into so much for a hectare")
+    return np.asarray(values * values.dtype.type(factor))
 
 
 def _drawn(source: Source, grid: Grid, field: str | None, values_as: ValuesAs, account: Account) -> np.ndarray:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -12,16 +13,22 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.alignment import align_values
 from firebreak_gis.landscape.layers import elevation_on
 from firebreak_gis.landscape.target_grid import Account
-from firebreak_gis.rasters import header_of_array, read_header, require_georeferenced
+from firebreak_gis.rasters import Header, header_of_array, read_header, require_georeferenced
 from firebreak_gis.vectors import is_vector
 
 Source = str | os.PathLike[str] | Any
 
 
 def value_plane(
-    source: Source, grid: Grid, *, what: str, fill: float = np.nan, account: Account | None = None
+    source: Source,
+    grid: Grid,
+    *,
+    what: str,
+    fill: float = np.nan,
+    account: Account | None = None,
+    settle: Callable[[np.ndarray, Header, Account], np.ndarray] | None = None,
 ) -> np.ndarray:
-    """Read a quantity, such as an elevation or a cost a hectare, onto a grid, interpolated or averaged.
+    """Read a quantity, such as a cost a hectare, onto a grid, interpolated or averaged.
 
     Parameters
     ----------
@@ -35,6 +42,9 @@ def value_plane(
         Where there is no data.
     account
         Gets sentences on what was done.
+    settle
+        Settles units and flags before neighbours are mixed, see `alignment.align_values`; also gets the layer and the
+        account.
 
     Returns
     -------
@@ -44,16 +54,38 @@ def value_plane(
     Raises
     ------
     InputError
-        If the source cannot be read or lies elsewhere.
+        If the source cannot be read or lies elsewhere, or holds numbers below 0.
     """
     if isinstance(source, np.ndarray):
         if source.shape != grid.shape:
             raise InputError(f"{what} has shape {source.shape}, expected {grid.shape}")
         return source.astype(np.float64)
-    values = align_values(open_header(source), grid, what, Account() if account is None else account)
+    header, account = open_header(source), Account() if account is None else account
+
+    def settled(values: np.ndarray) -> np.ndarray:
+        require_not_negative(values, header, what)
+        return values if settle is None else settle(values, header, account)
+
+    values = align_values(header, grid, what, account, settle=settled)
     if not np.isfinite(values).any():
         raise InputError(f"{what} holds no data on the landscape {grid.describe()}; is it the right file?")
     return np.asarray(np.where(np.isfinite(values), values, fill), dtype=np.float64)
+
+
+def require_not_negative(values: np.ndarray, header: Header, what: str) -> None:
+    """Refuse numbers below 0, such as flags for "no data", before they are mixed with others.
+
+    Raises
+    ------
+    InputError
+        Saying how to declare them.
+    """
+    wrong = values < 0
+    if wrong.any():
+        raise InputError(
+            f"{header.path} ({what}) holds {values[wrong].flat[0]:g} in {int(wrong.sum())} cells, expected finite "
+            "numbers of at least 0; if that means no data, declare it: gdal_edit.py -a_nodata VALUE FILE"
+        )
 
 
 def ignition_source(source: Source | None, grid: Grid, account: Account | None = None) -> Any:

@@ -16,7 +16,7 @@ from firebreak_gis.grid import Grid, parse_crs, with_y_and_x
 from firebreak_gis.projections import ASSIGNING, horizontal, require_plausible, vertical_factor
 from firebreak_gis.rasters.naming import banded, short_name
 from firebreak_gis.rasters.opening import open_raster
-from firebreak_gis.rasters.units import QUANTITIES, unit_in
+from firebreak_gis.rasters.units import QUANTITIES, per_hectare, unit_in
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -300,7 +300,8 @@ def _unit_of(source: Any, band: int) -> str:
         if key in tags:
             return tags[key]
     described = unit_in(source.descriptions[band - 1] or "")
-    return described if any(quantity.knows(described) for quantity in QUANTITIES) else ""
+    known = per_hectare(described) is not None or any(quantity.knows(described) for quantity in QUANTITIES)
+    return described if known else ""
 
 
 def _located_by(source: Any) -> str:

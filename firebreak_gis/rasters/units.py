@@ -181,33 +181,7 @@ _AREAS = {
     **dict.fromkeys(("km2", "km²", "km^2", "sqkm"), 0.01),
     **dict.fromkeys(("acre", "acres", "ac"), 10_000.0 / _ACRE),
 }
-_MONEY = (
-    "",
-    "eur",
-    "euro",
-    "euros",
-    "€",
-    "usd",
-    "dollar",
-    "dollars",
-    "$",
-    "gbp",
-    "£",
-    "chf",
-    "cad",
-    "aud",
-    "clp",
-    "money",
-)
-#: Costs are money for a hectare; which money does not matter, the area must be told.
-COST = Quantity(
-    "a cost for an area",
-    "money/ha",
-    {"1": 1.0, **{f"{money}/{area}": factor for money in _MONEY for area, factor in _AREAS.items()}},
-)
-
-
-QUANTITIES = (LENGTH, SPEED, SHARE, ANGLE, COST)
+QUANTITIES = (LENGTH, SPEED, SHARE, ANGLE)
 
 
 def told(unit: str) -> str:
@@ -220,6 +194,18 @@ def told(unit: str) -> str:
     """
     text = unit.strip().strip("[]()").strip()
     return "" if text.lower() in NOT_TOLD else text
+
+
+def per_hectare(unit: str) -> float | None:
+    """Return the factor that turns so much for an area into so much for a hectare; None if `unit` is not of an area.
+
+    Examples
+    --------
+    >>> per_hectare("EUR/m2"), per_hectare("people ha-1"), per_hectare("EUR")
+    (10000.0, 1.0, None)
+    """
+    _, slash, area = _word(unit).rpartition("/")
+    return _AREAS.get(area) if slash else None
 
 
 def unit_in(text: str) -> str:
@@ -294,5 +280,6 @@ def _examples(quantity: Quantity) -> str:
 
 def _word(unit: str) -> str:
     """Return a unit as the tables write it: "m s**-1" and "metres per second" become "m/s" and "metres/second"."""
-    word = re.sub(r"\s+per\s+", "/", told(unit).lower().replace("⁻¹", "-1"))
-    return re.sub(r"[\s.*·]*", "", re.sub(r"[\s.*·]+([a-z]+)\s*(?:\^|\*\*)?-1$", r"/\1", word))
+    word = re.sub(r"\s+per\s+", "/", told(unit).lower().replace("⁻¹", "-1").replace("⁻²", "-2"))
+    word = re.sub(r"[\s.*·]+([a-z]+)\s*(?:\^|\*\*)?-1$", r"/\1", word)
+    return re.sub(r"[\s.*·]*", "", re.sub(r"[\s.*·]+([a-z]+)\s*(?:\^|\*\*)?-2$", r"/\g<1>2", word))

@@ -6,11 +6,11 @@ import pytest
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.rasters.units import (
     ANGLE,
-    COST,
     LENGTH,
     NOT_TOLD,
     SHARE,
     SPEED,
+    per_hectare,
     read_number,
     require_known,
     told,
@@ -55,11 +55,6 @@ def test_beaufort_forces_lie_in_the_middle_of_their_classes():
         (SHARE, "g/kg", 0.001),
         (ANGLE, "radians", 180 / np.pi),
         (ANGLE, "degrees true", 1.0),
-        (COST, "EUR/ha", 1.0),
-        (COST, "€ ha-1", 1.0),
-        (COST, "USD per acre", 2.4710538146717),
-        (COST, "$/m2", 10_000.0),
-        (COST, "EUR/km²", 0.01),
     ],
 )
 def test_factors(quantity, unit, factor):
@@ -78,9 +73,7 @@ def test_float32_stays_float32():
     assert SPEED.convert(np.ones(3, np.float32), "km/h").dtype == np.float32
 
 
-@pytest.mark.parametrize(
-    ("quantity", "unit"), [(SPEED, "hPa"), (SHARE, "m3 m-3"), (LENGTH, "K"), (COST, "EUR"), (ANGLE, "m")]
-)
+@pytest.mark.parametrize(("quantity", "unit"), [(SPEED, "hPa"), (SHARE, "m3 m-3"), (LENGTH, "K"), (ANGLE, "m")])
 def test_units_of_other_quantities_are_refused(quantity, unit):
     with pytest.raises(InputError, match=r"w\.tif is in .* expected"):
         require_known(unit, quantity, "w.tif")
@@ -101,3 +94,25 @@ def test_units_in_the_names_of_columns():
     assert unit_in("wind speed (km/h)") == "km/h"
     assert unit_in("RH [%]") == "%"
     assert unit_in("WS") == unit_in("speed [unknown]") == ""
+
+
+@pytest.mark.parametrize(
+    ("unit", "factor"),
+    [
+        ("EUR/ha", 1.0),
+        ("€ ha-1", 1.0),
+        ("USD per acre", 2.4710538146717),
+        ("$/m2", 10_000.0),
+        ("PLN/km²", 0.01),
+        ("people km-2", 0.01),
+        ("1/ha", 1.0),
+        ("people m**-2", 10_000.0),
+    ],
+)
+def test_so_much_for_an_area(unit, factor):
+    assert per_hectare(unit) == pytest.approx(factor, rel=1e-12)
+
+
+@pytest.mark.parametrize("unit", ["EUR", "", "ha", "km/h", "people"])
+def test_what_is_not_for_an_area(unit):
+    assert per_hectare(unit) is None
