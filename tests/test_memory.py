@@ -21,7 +21,7 @@ def test_every_ranking_tells_what_it_needs():
     for name in plugins.names("ranking"):
         assert hasattr(plugins.load("ranking", name), "MEMORY"), name
         cell, thread = plugins.memory_of("ranking", name)
-        assert 0 <= thread <= cell <= 1000
+        assert 0 <= thread <= cell <= 3000  # those that solve linear systems need most
 
 
 @pytest.mark.parametrize("command", ["align", "network", "rank", "burn", "evaluate", "compare", "plan"])

@@ -56,18 +56,18 @@ def open_raster(path: str | os.PathLike[str], *, remote: bool = False) -> Iterat
 
 
 def files_behind(names: Iterable[str | os.PathLike[str]]) -> list[str]:
-    """Return the files that these names speak of, and all those that they are made of.
+    """Return the files that these names speak of, and all those that they are made of, each once and as it is named.
 
     GDAL is asked for the parts of rasters; a text that names files, such as a virtual vector file, counts them all.
     """
-    waiting, found = [file_of(os.fspath(name)) for name in names], dict[str, None]()
+    waiting, found = [file_of(os.fspath(name)) for name in names], dict[str, str]()
     while waiting:
         name = waiting.pop()
         real = os.path.realpath(name)
         if real not in found and is_file(name):
-            found[real] = None
+            found[real] = name
             waiting += _parts(name)
-    return list(found)
+    return list(found.values())
 
 
 def _parts(name: str) -> list[str]:
