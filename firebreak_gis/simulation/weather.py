@@ -7,8 +7,9 @@ asked for.
 
 from __future__ import annotations
 
+import functools
 from collections import OrderedDict
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -256,33 +257,39 @@ class WeatherNetworks:
         if spell.steady:
             network = self._build(spell.steps[0])
             return Conditions(network, starts, () if network.travel_time is None else (network.travel_time,))
-        made: dict[Step, tuple[np.ndarray, np.ndarray, np.ndarray | None]] = {}
-        mean: np.ndarray | None = None
-        heat: np.ndarray | None = None
-        least: np.ndarray | None = None
-        lengths = _lengths(spell)
-        network = self._build(spell.steps[0])
-        for step, share in zip(spell.steps, lengths / lengths.sum(), strict=True):
+        made: dict[Step, SpreadNetwork] = {}
+        for step in spell.steps:
             if step not in made:
-                network = self._build(step)
-                made[step] = (network.probability, network.require_times("changing weather"), network.heat)
-            probability, times, released = made[step]
-            mean = probability * share if mean is None else mean + probability * share
-            least = times if least is None else np.minimum(least, times)
-            if released is not None:
-                heat = released * share if heat is None else heat + released * share
-        assert mean is not None
-        whole = SpreadNetwork(
-            mean.clip(0.0, 1.0),
-            burnable=network.burnable,
-            boundary=network.boundary,
-            crs=network.grid.crs,
-            transform=network.grid.transform,
-            provenance=network.provenance,
-            travel_time=least,
-            heat=heat,
-        )
-        return Conditions(whole, starts, tuple(made[step][1] for step in spell.steps))
+                made[step] = self._build(step)
+        networks = [made[step] for step in spell.steps]
+        times = tuple(network.require_times("changing weather") for network in networks)
+        return Conditions(_mean(networks, times, _lengths(spell)), starts, times)
+
+
+def _mean(networks: Sequence[SpreadNetwork], times: Sequence[np.ndarray], lengths: np.ndarray) -> SpreadNetwork:
+    """Network of a changing weather: mean probabilities and heat, the least times, no wind of its own."""
+    shares = lengths / lengths.sum()
+    first = networks[0]
+    heats = [network.heat for network in networks if network.heat is not None]
+    left_out = max((str(network.provenance.get("left_out", "")) for network in networks), key=len)
+    return SpreadNetwork(
+        _weighted([network.probability for network in networks], shares).clip(0.0, 1.0),
+        burnable=first.burnable,
+        boundary=first.boundary,
+        crs=first.grid.crs,
+        transform=first.grid.transform,
+        provenance={"left_out": left_out} if left_out else None,
+        travel_time=functools.reduce(np.minimum, times),
+        heat=_weighted(heats, shares) if len(heats) == len(networks) else None,
+    )
+
+
+def _weighted(planes: Sequence[np.ndarray], shares: np.ndarray) -> np.ndarray:
+    """Sum of planes times shares, float64, in the order given."""
+    total = np.zeros(planes[0].shape)
+    for plane, share in zip(planes, shares, strict=True):
+        total += plane * share
+    return total
 
 
 def _share(network: SpreadNetwork, other: SpreadNetwork) -> None:

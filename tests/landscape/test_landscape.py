@@ -31,6 +31,8 @@ from firebreak_gis.landscape import (
     target_grid,
     write_landscape,
 )
+from firebreak_gis.landscape.request import LandscapeRequest
+from firebreak_gis.landscape.surveying import survey
 from firebreak_gis.rasters import read_header, read_raster
 from firebreak_gis.spread import spread_network
 from tests.places import NORTH_WEST, UTM, patches, relief, square, three, write
@@ -523,7 +525,7 @@ def test_how_the_fuel_burns_goes_from_the_legend_into_the_folder_and_the_network
     table = tmp_path / "own.csv"
     table.write_text(
         "code,vegetation,density,label,rate_m_h,dead_kg_m2,live_kg_m2,heat_kj_kg,live_moisture\n"
-        "0,none,,bare\n1,shrubs,normal,a,70,0.4,2,19000,0.7\n2,pines,dense,b\n"
+        "0,none,,bare,50\n1,shrubs,normal,a,70,0.4,2,19000,0.7\n2,pines,dense,b\n"
     )
     codes = patches(9, 10, [0, 1, 2])
     data = lay(write(tmp_path / "d.tif", relief(9, 10)), write(tmp_path / "v.tif", codes), None, legend=table)
@@ -549,6 +551,9 @@ def test_how_the_fuel_burns_goes_from_the_legend_into_the_folder_and_the_network
     np.testing.assert_array_equal(faster.travel_time, network.travel_time)  # the legend counts
     plain = lay(tmp_path / "d.tif", tmp_path / "v.tif", None, legend=_classes_only(tmp_path))
     assert "rate" not in plain
+    layers = (str(tmp_path / "d.tif"), str(tmp_path / "v.tif"))
+    needed = [survey(LandscapeRequest(*layers, legend=str(name))).memory for name in (table, tmp_path / "plain.csv")]
+    assert needed[0] >= needed[1] + 5 * 4 * codes.size
     write_landscape(plain, tmp_path / "out", overwrite=True)  # and takes the planes of the other away
     assert read_landscape_folder(tmp_path / "out").identical(plain)
 

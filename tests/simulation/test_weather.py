@@ -12,7 +12,7 @@ import firebreak_gis as fb
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.lattice import NEVER
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
-from firebreak_gis.simulation.weather import Spell, Step, Weather
+from firebreak_gis.simulation.weather import Spell, Step, Weather, WeatherNetworks
 from firebreak_gis.simulation.weather_reading import read_weather
 from firebreak_gis.spread import spread_network, weather_networks
 
@@ -268,7 +268,7 @@ def test_networks_are_made_when_asked_for_and_kept(make_landscape, monkeypatch):
 
 def test_changing_weather_is_a_stack_of_times(make_landscape):
     landscape = make_landscape(seed=2)
-    steps = (Step(2.0, 300.0, 0.05), Step(9.0, 30.0, 0.4), Step(2.0, 300.0, 0.05))
+    steps = (Step(2.0, 300.0, 0.05), Step(9.0, 30.0, 0.4), Step(7.0, 100.0, 0.05))
     spell = Spell(steps, (0, 3600, 10_800), span=14_400.0)
     network, starts, times = weather_networks(landscape, Weather((spell,)))[0]
     alone = [
@@ -280,9 +280,9 @@ def test_changing_weather_is_a_stack_of_times(make_landscape):
     for got, expected in zip(times, alone, strict=True):
         np.testing.assert_array_equal(got, expected.travel_time)
     assert (times[1] == NEVER).all()  # nothing burns at 40 %
-    np.testing.assert_array_equal(network.travel_time, times[0])  # the least
+    np.testing.assert_array_equal(network.travel_time, np.minimum(times[0], times[2]))  # the least
     np.testing.assert_allclose(network.probability, alone[0].probability / 2, rtol=1e-6)  # for half of the time
-    assert times[0] is times[2]
+    assert network.provenance == {"left_out": "wind and slope"}  # and no wind, since there are several
     with pytest.raises(ParameterError, match="needs fires with a clock"):
         weather_networks(landscape, Weather((spell,)), clock=False)
 
@@ -331,3 +331,22 @@ def test_what_is_asked_is_what_is_read(make_landscape, table):
     assert WeatherRequest().read() is None
     with pytest.raises(ParameterError, match="--weather FILE"):
         WeatherRequest(weather_step="1h").read()
+
+
+def test_a_step_that_comes_again_is_built_once(make_landscape):
+    landscape = make_landscape(seed=2)
+    built = []
+
+    def build(step):
+        built.append(step)
+        return spread_network(landscape, clock=True, wind_speed=step.wind_speed)
+
+    one, other = Step(2.0, 0.0), Step(7.0, 0.0)
+    spells = (Spell((one, other, one), (0, 60, 120)), Spell((one, one, other), (0, 60, 120)))
+    networks = WeatherNetworks(Weather(spells), build)
+    first, second = networks[0].times, networks[1].times
+    assert first[0] is first[2]
+    assert built == [one, other] * 2
+    for k, step in enumerate(spells[1].steps):
+        expected = spread_network(landscape, clock=True, wind_speed=step.wind_speed).travel_time
+        np.testing.assert_array_equal(second[k], expected)

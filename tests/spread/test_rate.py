@@ -10,7 +10,7 @@ import pytest
 
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.grid import Grid
-from firebreak_gis.lattice import AZIMUTH, DIRECTIONS, NEVER, OPPOSITE, STEP_LENGTH
+from firebreak_gis.lattice import AZIMUTH, DIRECTIONS, LONGEST, NEVER, OPPOSITE, STEP_LENGTH
 from firebreak_gis.network import neighbour
 from firebreak_gis.spread import alexandridis, spread_network
 from tests.twins import centrality as turning
@@ -260,3 +260,17 @@ def test_the_wind_of_a_raster_is_that_of_a_number(make_landscape):
     one = spread_network(landscape, clock=True, wind_speed=6, wind_from_direction=75)
     other = spread_network(landscape, clock=True, wind_speed=plane, wind_from_direction=plane * 0 + 75)
     np.testing.assert_array_equal(one.travel_time, other.travel_time)
+
+
+@pytest.mark.parametrize(("cell", "rate", "expected"), [(0.5, 6000.0, 1), (5_000.0, 0.0, LONGEST)])
+def test_the_shortest_and_the_longest_time(make_landscape, cell, rate, expected):
+    landscape = make_landscape((3, 5), **FLAT, vegetation=2, density=2, cell=cell)
+    params = alexandridis.Params(clock=True, rate_shrubs=rate, rate_least=1e-3)
+    _, times, _, _ = alexandridis.probability(landscape, params)
+    assert (times[:, 1, 2] == expected).all()
+
+
+def test_fuel_too_wet_to_burn_releases_nothing(make_landscape):
+    landscape = make_landscape((3, 5), **FLAT, vegetation=2, density=2)
+    heat = spread_network(landscape, clock=True, heat_shrubs=1000.0, moisture_shrubs=0.9).heat
+    assert heat == pytest.approx(1000.0)  # of the dead fuel alone
