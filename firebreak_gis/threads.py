@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from typing import TypeVar
 
-from firebreak_gis.errors import ParameterError
+from firebreak_gis.errors import ParameterError, ResourceError
 from firebreak_gis.progress import Progress
 
 Piece = TypeVar("Piece")
@@ -54,11 +54,19 @@ def run_pieces(
         dropped and the exception passes through at once.
     message
         Text for `progress`.
+
+    Raises
+    ------
+    ResourceError
+        If no thread can be started.
     """
     done = 0
     pool = ThreadPoolExecutor(thread_count(threads))
     try:
-        waiting = {pool.submit(work, piece) for piece in pieces}
+        try:
+            waiting = {pool.submit(work, piece) for piece in pieces}
+        except RuntimeError as error:
+            raise ResourceError("the system starts no further thread; raise its limit or allow more memory") from error
         while waiting:
             progress(done / len(pieces), message)
             finished, waiting = wait(waiting, timeout=_LISTEN_EVERY, return_when=FIRST_COMPLETED)

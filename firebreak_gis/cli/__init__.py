@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import gc
 import os
-import sys
 
-from firebreak_gis.cli.group import firebreak
+from firebreak_gis.cli.group import ENDED, firebreak, hush, stand_streams
 from firebreak_gis.errors import Cancelled
 
 __all__ = ["firebreak", "main"]
@@ -14,14 +13,14 @@ __all__ = ["firebreak", "main"]
 
 def main() -> None:
     """Run the command line and exit."""
+    stand_streams()
     try:
         firebreak.main(prog_name="firebreak", standalone_mode=True)
     except SystemExit as stop:
-        if stop.code == Cancelled.exit_code:
+        hush()
+        if isinstance(stop.code, int) and stop.code >= min(Cancelled.exit_code, ENDED):
             # Threads may still be inside a kernel; nobody waits for what was cancelled.
-            sys.stdout.flush()
-            sys.stderr.flush()
-            os._exit(Cancelled.exit_code)
+            os._exit(stop.code)
         raise
     finally:
         # The interpreter looks through all objects of all libraries as it ends, a third of a second for nothing.

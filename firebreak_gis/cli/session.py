@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import sys
 import threading
@@ -12,7 +13,8 @@ from typing import Any
 
 import click
 
-from firebreak_gis.errors import Cancelled
+from firebreak_gis.errors import Cancelled, OutputError
+from firebreak_gis.files.locks import reason
 from firebreak_gis.manifest import plain
 
 _BAR_WIDTH = 24
@@ -49,8 +51,7 @@ class Session:
     def say(self, text: str) -> None:
         """Tell the person something, on stderr."""
         if self.verbosity >= 0 and self.progress_mode != "json":
-            self._clear_bar()
-            click.echo(text, err=True)
+            self._tell(text)
 
     def detail(self, text: str) -> None:
         """Tell the person something that only -v asks for."""
@@ -62,8 +63,7 @@ class Session:
         if self.progress_mode == "json":
             self._print_line({"warning": text})
         else:
-            self._clear_bar()
-            click.echo(f"Warning: {text}", err=True)
+            self._tell(f"Warning: {text}")
 
     def progress(self, fraction: float, message: str) -> None:
         """Report the share done (0 to 1); raises `Cancelled` once a stop was asked for."""
@@ -85,7 +85,13 @@ class Session:
         if self.as_json or self.progress_mode == "json":
             self._print_line({"result": plain(result)})
         elif self.verbosity >= 0:
-            click.echo(text)
+            self._print(text)
+
+    def _tell(self, text: str) -> None:
+        """Write to stderr; where nobody can read it the work goes on all the same."""
+        self._clear_bar()
+        with contextlib.suppress(OSError):
+            click.echo(text, err=True)
 
     def _draw_bar(self, fraction: float, message: str, now: float) -> None:
         elapsed = now - self._started
@@ -93,17 +99,25 @@ class Session:
         filled = int(_BAR_WIDTH * fraction)
         time_left = "" if left is None else f" {int(left // 60)}:{int(left % 60):02d} left"
         bar = "#" * filled + "-" * (_BAR_WIDTH - filled)
-        sys.stderr.write(f"\r\x1b[K[{bar}] {100 * fraction:3.0f} %{time_left}  {message[:60]}")
-        sys.stderr.flush()
+        self._write_bar(f"[{bar}] {100 * fraction:3.0f} %{time_left}  {message[:60]}")
 
     def _clear_bar(self) -> None:
         if self.progress_mode == "bar" and sys.stderr.isatty():
-            sys.stderr.write("\r\x1b[K")
+            self._write_bar("")
+
+    def _write_bar(self, text: str) -> None:
+        with contextlib.suppress(OSError):
+            sys.stderr.write(f"\r\x1b[K{text}")
             sys.stderr.flush()
 
     def _print_line(self, document: Mapping[str, Any]) -> None:
-        sys.stdout.write(json.dumps(document, ensure_ascii=False) + "\n")
-        sys.stdout.flush()
+        self._print(json.dumps(document, ensure_ascii=False))
+
+    def _print(self, text: str) -> None:
+        try:
+            click.echo(text)
+        except OSError as error:
+            raise OutputError(f"cannot write to the standard output: {reason(error)}") from error
 
     def _listen(self) -> None:
         for line in sys.stdin:

@@ -19,6 +19,8 @@ from types import FrameType
 
 from firebreak_gis.files.locks import PREFIX, key_of
 
+#: Signals that ask a process to end: Ctrl-C, `kill`, and a terminal that is closed.
+ENDINGS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 #: Ending of the links that keep old files for an undo.
 _KEPT = ".part-old"
 
@@ -110,16 +112,22 @@ def _flush_folder(folder: Path) -> None:
 
 @contextlib.contextmanager
 def _uninterrupted() -> Iterator[None]:
-    """Let a Ctrl-C wait until the block, which is short, is through."""
+    """Let a Ctrl-C, and every other asking to end, wait until the block, which is short, is through."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    asked: list[FrameType | None] = []
-    before = signal.signal(signal.SIGINT, lambda _, frame: asked.append(frame))
+    asked: list[tuple[int, FrameType | None]] = []
+    before = {number: handler for number in ENDINGS if (handler := signal.getsignal(number)) is not None}
+    for number in before:
+        signal.signal(number, lambda number, frame: asked.append((number, frame)))
     try:
         yield
     finally:
-        if before is not None:
-            signal.signal(signal.SIGINT, before)
-    if asked:
-        raise KeyboardInterrupt
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    for number, frame in asked:
+        handler = before[number]
+        if callable(handler):
+            handler(number, frame)
+        elif handler == signal.SIG_DFL:
+            signal.raise_signal(number)

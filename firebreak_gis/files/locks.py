@@ -110,6 +110,8 @@ def reason(error: OSError) -> str:
         errno.EACCES: "no permission, or open in another program; close it there or choose another folder",
         errno.EPERM: "not permitted; choose another folder",
         errno.EROFS: "the disk is read-only; choose another folder",
+        errno.EMFILE: "too many files are open at once; raise the limit (ulimit -n)",
+        errno.EPIPE: "the program that reads it has gone",
         errno.ENAMETOOLONG: "the name is too long for this file system; choose a shorter one",
     }
     return hints.get(error.errno or 0) or error.strerror or str(error)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from firebreak_gis.report.figures import LINE_COLOURS, new_figure
+from firebreak_gis.report.figures import LINE_COLOURS, new_figure, own_looks
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 PATTERNS = ("compartments", "dfpz", "splat", "stripes")
 
 
+@own_looks
 def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: float) -> Figure:
     """Draw mean burnt share against budget.
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.report.figures import LINE_COLOURS, new_figure
+from firebreak_gis.report.figures import LINE_COLOURS, new_figure, own_looks
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
+@own_looks
 def curve_figure(result: xr.Dataset, *, title: str = "Burnt share against share of cells cut") -> Figure:
     """Draw R(d_f) of every ranking.
 

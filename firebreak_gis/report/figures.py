@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
+import functools
 import io
 import os
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -33,6 +36,32 @@ _DATES: dict[str, dict[str, None]] = {
 NO_FUEL = "#e4e4e4"
 WATER = "#c6dbe8"
 
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def own_looks(draw: F) -> F:
+    """Let a function draw with the settings of this package alone.
+
+    A matplotlibrc of the user, who may ask for TeX or other fonts there, would change the pictures or fail.
+    """
+
+    @functools.wraps(draw)
+    def wrapper(*args: Any, **kwargs: Any) -> Any:
+        with _own_settings():
+            return draw(*args, **kwargs)
+
+    return wrapper  # type: ignore[return-value]
+
+
+@contextlib.contextmanager
+def _own_settings() -> Iterator[None]:
+    import matplotlib as mpl
+
+    settings = {key: mpl.rcParamsDefault[key] for key in mpl.rcParamsDefault if not key.startswith("backend")}
+    # A fixed salt makes the identifiers inside an SVG the same each time.
+    with mpl.rc_context(settings | {"svg.hashsalt": "firebreak_gis"}):
+        yield
+
 
 def new_figure(width: float, height: float) -> Figure:
     """Return an empty figure of the given size in inches; no window, no global state."""
@@ -44,18 +73,15 @@ def new_figure(width: float, height: float) -> Figure:
     return figure
 
 
+@own_looks
 def save(figure: Figure, path: str | os.PathLike[str], *, overwrite: bool = False, dpi: int = 150) -> Path:
     """Write a figure whole or not at all, without a date; .png, .svg or .pdf chooses the format."""
-    import matplotlib as mpl
-
     target = Path(path)
     kind = target.suffix.lstrip(".").lower()
     if kind not in _DATES:
         raise OutputError(f"{target.name} has no known picture extension; expected .{', .'.join(_DATES)}")
     drawn = io.BytesIO()
-    # A fixed salt makes the identifiers inside an SVG the same each time.
-    with mpl.rc_context({"svg.hashsalt": "firebreak_gis"}):
-        figure.savefig(drawn, dpi=dpi, format=kind, metadata=_DATES[kind])
+    figure.savefig(drawn, dpi=dpi, format=kind, metadata=_DATES[kind])
     write_bytes(target, drawn.getvalue(), overwrite=overwrite)
     return target
 

@@ -15,6 +15,7 @@ from firebreak_gis.report.figures import (
     hillshade,
     map_axes,
     new_figure,
+    own_looks,
     ramp,
     show,
     show_classes,
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
+@own_looks
 def overview_figure(
     landscape: xr.Dataset,
     breaks: xr.DataArray,

@@ -14,6 +14,7 @@ from firebreak_gis.report.figures import (
     hillshade,
     map_axes,
     new_figure,
+    own_looks,
     ramp,
     show,
     show_classes,
@@ -37,6 +38,7 @@ _LOOKS = {
 }
 
 
+@own_looks
 def figure_1(result: xr.Dataset, *, fallen: float) -> Figure:
     """R(d_f) of all centralities on artificial forests; strips below show where each differs from random."""
     figure = new_figure(9.0, 7.0)
@@ -88,6 +90,7 @@ def figure_1(result: xr.Dataset, *, fallen: float) -> Figure:
     return figure
 
 
+@own_looks
 def figure_3(landscape: xr.Dataset) -> Figure:
     """Map of the vegetation density."""
     figure = new_figure(7.0, 6.5)
@@ -98,6 +101,7 @@ def figure_3(landscape: xr.Dataset) -> Figure:
     return figure
 
 
+@own_looks
 def figure_4(landscape: xr.Dataset, fire: xr.Dataset, grey: np.ndarray, *, wind: str) -> Figure:
     """Burn frequency from one ignition with wind, in colour and in the paper's grey levels."""
     figure = new_figure(13.0, 6.3)
@@ -117,6 +121,7 @@ def figure_4(landscape: xr.Dataset, fire: xr.Dataset, grey: np.ndarray, *, wind:
     return figure
 
 
+@own_looks
 def figure_5(result: xr.Dataset) -> Figure:
     """R(d_f) of Bonacich against the conventional policy and random cutting, with maxima and significance."""
     figure = new_figure(8.0, 5.5)
@@ -131,6 +136,7 @@ def figure_5(result: xr.Dataset) -> Figure:
     return figure
 
 
+@own_looks
 def figure_6(window: xr.Dataset, plans: dict[tuple[str, float], xr.DataArray]) -> Figure:
     """Breaks of two plans side by side."""
     from matplotlib.patches import Patch
