@@ -21,11 +21,18 @@ from typing import Any, NoReturn
 import click
 
 import firebreak_gis
-from firebreak_gis.errors import Cancelled, FirebreakError, InputError, OutputError, ResourceError
+from firebreak_gis.errors import (
+    Cancelled,
+    FirebreakError,
+    InputError,
+    MissingComponentError,
+    OutputError,
+    ResourceError,
+)
 from firebreak_gis.files.commit import ENDINGS
 from firebreak_gis.files.locks import reason
 
-EXIT_BUG, EXIT_USAGE = 1, 2
+EXIT_BUG = 1
 #: Exit code, less the number of the signal, of a process that was asked to end.
 ENDED = 128
 
@@ -89,12 +96,17 @@ def _answering(as_json: bool) -> Iterator[None]:
         _fail(error, as_json)
     except MemoryError:
         _fail(ResourceError("out of memory; use a coarser --res, a smaller --bounds or a larger machine"), as_json)
-    except click.UsageError as error:
+    except click.ClickException as error:
         if as_json:
-            _print_error("usage", error.format_message(), EXIT_USAGE)
+            _print_error("usage", error.format_message(), error.exit_code)
+        with contextlib.suppress(OSError):
+            error.show()
+        hush()
+        sys.exit(error.exit_code)
+    except click.exceptions.Exit:
         raise
-    except (click.ClickException, click.exceptions.Exit):
-        raise
+    except ImportError as error:
+        _fail(MissingComponentError(f"a library cannot be loaded: {error}; firebreak doctor looks for what"), as_json)
     except OSError as error:
         _fail(_of_the_system(error), as_json)
     except UnicodeEncodeError as error:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.cli.session import Session
+from firebreak_gis.files.gate import is_file
 from firebreak_gis.rasters import file_of
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 def input_files(names: Iterable[str | None]) -> list[str]:
     """Files among the names that the options give."""
     named = [file_of(name) for name in names if name]
-    return list(dict.fromkeys(name for name in named if Path(name).is_file()))
+    return list(dict.fromkeys(name for name in named if is_file(name)))
 
 
 def read_layers(request: LandscapeRequest, found: Survey, session: Session, *, progress: Progress) -> xr.Dataset:

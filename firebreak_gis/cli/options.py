@@ -16,6 +16,10 @@ from firebreak_gis.manifest import is_shared_config, read_config
 
 F = TypeVar("F", bound=Callable[..., Any])
 
+#: What a configuration, perhaps a stranger's, never decides: where is written, what is replaced, what is fetched.
+_COMMAND_LINE_ONLY: frozenset[str | None] = frozenset({"output", "overwrite", "remote"})
+_LEFT_OUT = "firebreak_gis.left_out"
+
 
 def _load_config(ctx: click.Context, _: click.Parameter, path: str | None) -> str | None:
     if path is not None:
@@ -35,7 +39,9 @@ def _load_config(ctx: click.Context, _: click.Parameter, path: str | None) -> st
                 f"{path} has parameters that {ctx.command.name} does not know: {', '.join(strangers)}; "
                 f"it knows {', '.join(sorted(str(k) for k in known))}"
             )
-        ctx.default_map = {**(ctx.default_map or {}), **given}
+        ours = _COMMAND_LINE_ONLY | {p.name for p in ctx.command.params if isinstance(p.type, kinds.NewFile)}
+        ctx.meta[_LEFT_OUT] = path, sorted(name for name in ours & set(given) if name and given[name])
+        ctx.default_map = {**(ctx.default_map or {}), **{k: v for k, v in given.items() if k not in ours}}
     return path
 
 
@@ -64,6 +70,9 @@ def common(command: F) -> F:
     @functools.wraps(command)
     def wrapper(*args: Any, as_json: bool, progress_mode: str, verbose: bool, quiet: bool, **kwargs: Any) -> Any:
         session = Session(as_json, progress_mode, -1 if quiet else int(verbose))
+        path, left_out = click.get_current_context().meta.get(_LEFT_OUT, ("", []))
+        if left_out:
+            session.warn(f"{path} sets {', '.join(left_out)}, which counts on the command line only; it was left out")
         return command(*args, session=session, **kwargs)
 
     return wrapper  # type: ignore[return-value]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from firebreak_gis import memory, plugins
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, OutputError
+from firebreak_gis.files.gate import stands
 from firebreak_gis.rasters import file_of, files_behind
 
 if TYPE_CHECKING:
@@ -153,7 +154,7 @@ def require_possible(request: PlanRequest) -> None:
     request.spread.require()
     named = {"ignitions": request.fires.ignitions, **request.stakes.layers}
     for option, name in named.items():
-        if name and not Path(file_of(name)).exists():
+        if name and not stands(file_of(name)):
             folder = Path(name).absolute().parent
             raise InputError(f"--{option} {name} does not exist; check the name and the folder {folder}")
 

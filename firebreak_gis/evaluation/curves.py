@@ -25,6 +25,11 @@ Ranker = Callable[[float, float, Progress], "np.ndarray | xr.DataArray"]
 
 Test = Literal["wilcoxon", "ranksum", "t"]
 
+#: Words of `significant`.
+BETTER, WORSE = "better", "worse"
+#: Up to so many runs that differ, the signed-rank test is exact; beyond, its normal approximation is.
+_EXACT_UP_TO = 50
+
 
 def evaluate(
     network: SpreadNetwork,
@@ -110,7 +115,7 @@ def evaluate_fires(
     _require_choice(priorities, baseline, test)
     for priority in priorities.values():
         require_priority(priority)
-    shares = {}
+    cells = {}
     for i, (name, priority) in enumerate(priorities.items()):
         step = part(progress, i / len(priorities), (i + 1) / len(priorities), f"{name}: ")
         if callable(priority):
@@ -119,8 +124,9 @@ def evaluate_fires(
             burnt = burnt_under(network, plans, request, budgets=budgets, threads=threads, progress=later)
         else:
             burnt = burn_budgets(network, priority, request, budgets=budgets, threads=threads, progress=step).to_numpy()
-        shares[name] = burnt / max(network.n_burnable, 1)
-    result = summarise(shares, budgets=budgets, baseline=baseline, test=test, alpha=alpha)
+        cells[name] = burnt
+    fuel = max(network.n_burnable, 1)
+    result = summarise(cells, fuel=fuel, budgets=budgets, baseline=baseline, test=test, alpha=alpha)
     return result.assign_attrs(n_burnable=network.n_burnable, n_runs=request.n_runs, seed=request.seed)
 
 
@@ -170,19 +176,24 @@ def burnt_under(
 
 
 def summarise(
-    shares: Mapping[str, np.ndarray],
+    cells: Mapping[str, np.ndarray],
     *,
+    fuel: int,
     budgets: Sequence[float] | np.ndarray,
     baseline: str = "random",
     test: Test = "wilcoxon",
     alpha: float = 0.01,
 ) -> xr.Dataset:
-    """Turn burnt shares of single runs into R(d_f) and its significance.
+    """Turn the sizes of single fires into R(d_f) and its significance.
+
+    The tests look at the sizes themselves: shares of equal differences differ by rounding, which breaks their ties.
 
     Parameters
     ----------
-    shares
-        (n_runs, n_budgets) burnt share of the fuel before cutting, by method; row i is the same fire in all.
+    cells
+        (n_runs, n_budgets) whole number of cells burnt, by method; row i is the same fire in all.
+    fuel
+        Cells with fuel before cutting, of which R is a share.
     budgets
         d_f of the columns.
     baseline
@@ -193,8 +204,9 @@ def summarise(
     Returns
     -------
     xarray.Dataset
-        `burnt_share` (ranking, run, budget); `mean`, `p90` (90 % percentile), `max`, `p_value`, `effect_size`
-        and `significant` (ranking, budget). The p-value of the baseline itself is nan.
+        `burnt_cells` and `burnt_share` (ranking, run, budget); `mean`, `p90` (90 % percentile), `max`, `p_value`,
+        `effect_size` and `significant` (ranking, budget): `better` where the ranking burns less than the baseline,
+        `worse` where it burns more, `no` where they do not differ. The p-value of the baseline itself is nan.
 
     Raises
     ------
@@ -203,29 +215,35 @@ def summarise(
     """
     import xarray as xr
 
-    _require_choice(shares, baseline, test)
-    names = list(shares)
-    burnt = np.stack([shares[name] for name in names])
+    _require_choice(cells, baseline, test)
+    names = list(cells)
+    burnt = np.stack([cells[name] for name in names])
+    shares = burnt / fuel
     p_value = np.full((len(names), burnt.shape[2]), np.nan)
     effect = np.full_like(p_value, np.nan)
     for i, name in enumerate(names):
         if name != baseline:
             for k in range(burnt.shape[2]):
-                p_value[i, k], effect[i, k] = tell_apart(shares[name][:, k], shares[baseline][:, k], test=test)
+                p_value[i, k], effect[i, k] = tell_apart(cells[name][:, k], cells[baseline][:, k], test=test)
     by_budget = ("ranking", "budget")
     return xr.Dataset(
         {
-            "burnt_share": (("ranking", "run", "budget"), burnt),
-            "mean": (by_budget, burnt.mean(axis=1)),
-            "p90": (by_budget, np.percentile(burnt, 90, axis=1)),
-            "max": (by_budget, burnt.max(axis=1)),
+            "burnt_cells": (("ranking", "run", "budget"), burnt),
+            "burnt_share": (("ranking", "run", "budget"), shares),
+            "mean": (by_budget, shares.mean(axis=1)),
+            "p90": (by_budget, np.percentile(shares, 90, axis=1)),
+            "max": (by_budget, shares.max(axis=1)),
             "p_value": (by_budget, p_value),
             "effect_size": (by_budget, effect),
-            "significant": (by_budget, p_value < alpha),
+            "significant": (by_budget, _direction(p_value < alpha, effect)),
         },
         coords={"ranking": names, "budget": np.asarray(budgets, dtype=np.float64)},
         attrs={"baseline": baseline, "test": test, "alpha": alpha},
     )
+
+
+def _direction(differs: np.ndarray, effect: np.ndarray) -> np.ndarray:
+    return np.select([differs & (effect < 0), differs & (effect > 0)], [BETTER, WORSE], "no")
 
 
 def _require_choice(methods: Mapping[str, Any], baseline: str, test: str) -> None:
@@ -245,10 +263,11 @@ def tell_apart(burnt: np.ndarray, baseline: np.ndarray, *, test: Test = "wilcoxo
     Parameters
     ----------
     burnt, baseline
-        (n_runs,) burnt shares.
+        (n_runs,) sizes of fires: cells, whose ties are exact.
     test
-        `"wilcoxon"`: signed-rank on runs that share their draws, zeros by Pratt's method; equal samples are
-        no difference (p = 1). `"ranksum"`: for independent runs. `"t"`: paired t-test.
+        `"wilcoxon"`: signed-rank on runs that share their draws, zeros by Pratt's method, exact (over all signs of the
+        ranks) for up to 50 runs that differ; equal samples are no difference (p = 1). `"ranksum"`: for independent
+        runs. `"t"`: paired t-test.
 
     Returns
     -------
@@ -272,13 +291,28 @@ def tell_apart(burnt: np.ndarray, baseline: np.ndarray, *, test: Test = "wilcoxo
             return 1.0, effect  # one run proves nothing
         constant = np.ptp(difference) == 0.0
         return (0.0 if constant else float(stats.ttest_rel(burnt, baseline).pvalue)), effect
+    if np.count_nonzero(difference) <= _EXACT_UP_TO:
+        return _signed_rank(ranks[difference != 0], difference[difference != 0] > 0), effect
     return float(stats.wilcoxon(burnt, baseline, zero_method="pratt", method="approx").pvalue), effect
+
+
+def _signed_rank(ranks: np.ndarray, positive: np.ndarray) -> float:
+    """Exact two-sided p-value: the share of all signs of the ranks whose sum lies as far from its mean."""
+    doubled = np.round(2 * ranks).astype(np.int64)  # ranks of ties are halves
+    total = int(doubled.sum())
+    ways = np.zeros(total + 1)
+    ways[0] = 1.0
+    for rank in doubled.tolist():
+        ways[rank:] += ways[: total + 1 - rank].copy()
+    found = abs(2 * int(doubled[positive].sum()) - total)
+    far = np.abs(2 * np.arange(total + 1) - total) >= found
+    return float(ways[far].sum() / ways.sum())
 
 
 def better_range(result: xr.Dataset, ranking: str) -> list[float] | None:
     """First and last budget at which a ranking burns significantly less than the baseline; None if never."""
     picked = result.sel(ranking=ranking)
-    better = np.flatnonzero(picked["significant"].to_numpy() & (picked["effect_size"].to_numpy() < 0))
+    better = np.flatnonzero(picked["significant"].to_numpy() == BETTER)
     budgets = result["budget"].to_numpy()
     return [float(budgets[better[0]]), float(budgets[better[-1]])] if better.size else None
 
@@ -304,3 +338,17 @@ def table(result: xr.Dataset) -> pd.DataFrame:
         for k, budget in enumerate(result["budget"].to_numpy())
     ]
     return pd.DataFrame(rows)
+
+
+def runs_table(result: xr.Dataset) -> pd.DataFrame:
+    """Cells burnt in every run: run, d_f and a column for each method; every p-value can be found from it again."""
+    import pandas as pd
+
+    cells = result["burnt_cells"].to_numpy()
+    _, n_runs, n_budgets = cells.shape
+    columns = {
+        "run": np.tile(np.arange(1, n_runs + 1), n_budgets),
+        "d_f": np.repeat(result["budget"].to_numpy(), n_runs),
+    }
+    names = result["ranking"].to_numpy().tolist()
+    return pd.DataFrame(columns | {name: cells[i].T.ravel() for i, name in enumerate(names)})

@@ -20,6 +20,7 @@ from pathlib import Path
 
 from firebreak_gis.errors import FirebreakError, InputError, OutputError, VerificationError
 from firebreak_gis.files.commit import move_all
+from firebreak_gis.files.gate import has_controls
 from firebreak_gis.files.locks import PREFIX, claimed, key_of, locked, reason, remove_parts, remove_stale
 
 _serial = itertools.count()
@@ -294,6 +295,8 @@ def require_writable(
         `forbid` (also by a link), or exists and `overwrite` is not set.
     """
     place = Path(os.path.realpath(target))
+    if has_controls(str(place)):
+        raise OutputError(f"the output {str(place)!r} has a line break or tab in its name; choose another")
     try:
         if not place.parent.is_dir():
             raise OutputError(f"the folder {place.parent} of the output {place.name} does not exist; create it first")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from firebreak_gis.errors import InputError, MissingComponentError, ResourceError
 from firebreak_gis.files.gate import (
     asked_for_network,
+    has_controls,
     offline,
     require_local_vector,
     shortened,
@@ -50,6 +51,8 @@ def read_frame(source: str, target: CRS, notes: list[str]) -> tuple[str, gpd.Geo
     """
     asked = vector_name(source)
     name, layer = asked.file, asked.layer
+    if has_controls(os.path.abspath(name)):  # noqa: PTH100 - as below
+        raise InputError(f"{name!r} has a line break or tab in its name; rename it")
     if not stands(name):
         raise InputError(
             f"{shortened(name)} does not exist on this machine; check the name and the folder, or, if it is a network "

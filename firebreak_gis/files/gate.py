@@ -214,6 +214,11 @@ def is_file(name: str | os.PathLike[str]) -> bool:
     return os.path.isfile(name)  # noqa: PTH113 - a Path raises for names that are too long
 
 
+def has_controls(name: str) -> bool:
+    """Whether a name holds line breaks or tabs, which libraries leave out: they would find another file."""
+    return any(letter in name for letter in "\n\r\t")
+
+
 def shortened(name: str) -> str:
     """Return the beginning of a name, for messages."""
     return name if len(name) <= 100 else f"{name[:100]}..."

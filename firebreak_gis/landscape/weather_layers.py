@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from firebreak_gis.errors import InputError, ParameterError
+from firebreak_gis.files.gate import stands
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.alignment import align_values
 from firebreak_gis.landscape.target_grid import Account
@@ -147,7 +147,7 @@ class WeatherReader:
 
 def measured(source: Any, quantity: Quantity) -> float | None:
     """Return a number, with or without a unit, in that of the program; None for what is a raster."""
-    if isinstance(source, (str, os.PathLike)) and Path(file_of(os.fspath(source))).exists():
+    if isinstance(source, (str, os.PathLike)) and stands(file_of(os.fspath(source))):
         return None
     if np.ndim(source):
         return None

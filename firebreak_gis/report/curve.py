@@ -83,8 +83,8 @@ def _mark_significance(axes: Axes, result: xr.Dataset, names: list[str], baselin
     if not others or d_f.size < 2:
         return
     first = result.sel(ranking=others[0])
-    differs, below = first["significant"].to_numpy(), first["effect_size"].to_numpy() < 0
-    for mask, colour, word in ((differs & below, "#f4d35e", "below"), (differs & ~below, "#b8a9c9", "above")):
+    for found, colour, word in (("better", "#f4d35e", "below"), ("worse", "#b8a9c9", "above")):
+        mask = first["significant"].to_numpy() == found
         if mask.any():
             axes.fill_between(
                 d_f,

@@ -66,9 +66,8 @@ def figure_1(result: xr.Dataset, *, fallen: float) -> Figure:
     others = [name for name in names if name != result.attrs["baseline"]]
     for row, name in enumerate(reversed(others)):
         picked = result.sel(ranking=name)
-        differs = picked["significant"].to_numpy()
-        better = picked["effect_size"].to_numpy() < 0
-        for mask, alpha in ((differs & better, 1.0), (differs & ~better, 0.25)):
+        for word, alpha in (("better", 1.0), ("worse", 0.25)):
+            mask = picked["significant"].to_numpy() == word
             strips.scatter(
                 d_f[mask],
                 np.full(mask.sum(), row),

@@ -1,5 +1,6 @@
 """R(d_f): statistics against numpy and scipy, pairing, refusals; comparison of plans."""
 
+import itertools
 import math
 
 import numpy as np
@@ -8,7 +9,7 @@ from scipy import stats
 
 from firebreak_gis import SpreadNetwork, evaluate, rank, select_breaks, simulate
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.evaluation.curves import better_range, summarise, table, tell_apart
+from firebreak_gis.evaluation.curves import better_range, runs_table, summarise, table, tell_apart
 from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.planning.comparison import compare_plans, comparison_table
 from firebreak_gis.simulation.request import FireRequest
@@ -27,18 +28,71 @@ def priorities(network):
 
 def test_figures_are_those_of_numpy_and_scipy():
     rng = np.random.default_rng(0)
-    shares = {"a": rng.random((40, 3)), "random": rng.random((40, 3))}
-    result = summarise(shares, budgets=[0, 0.1, 0.2])
-    for name, runs in shares.items():
+    cells = {"a": rng.integers(0, 900, (80, 3)), "random": rng.integers(0, 1000, (80, 3))}
+    result = summarise(cells, fuel=1000, budgets=[0, 0.1, 0.2])
+    for name, runs in cells.items():
         picked = result.sel(ranking=name)
-        np.testing.assert_allclose(picked["mean"], [np.mean(runs[:, k]) for k in range(3)])
-        np.testing.assert_allclose(picked["max"], [max(runs[:, k]) for k in range(3)])
-        np.testing.assert_allclose(picked["p90"], [np.percentile(runs[:, k], 90) for k in range(3)])
+        np.testing.assert_array_equal(picked["burnt_cells"], runs)
+        np.testing.assert_allclose(picked["mean"], [np.mean(runs[:, k]) / 1000 for k in range(3)])
+        np.testing.assert_allclose(picked["max"], [max(runs[:, k]) / 1000 for k in range(3)])
+        np.testing.assert_allclose(picked["p90"], [np.percentile(runs[:, k], 90) / 1000 for k in range(3)])
     for k in range(3):
-        expected = stats.wilcoxon(shares["a"][:, k], shares["random"][:, k], zero_method="pratt", method="approx")
+        expected = stats.wilcoxon(cells["a"][:, k], cells["random"][:, k], zero_method="pratt", method="approx")
         assert result["p_value"].sel(ranking="a")[k] == pytest.approx(expected.pvalue)
     assert np.isnan(result["p_value"].sel(ranking="random")).all()
-    assert not result["significant"].sel(ranking="random").any()
+    assert (result["significant"].sel(ranking="random") == "no").all()
+
+
+def signs_by_hand(difference):
+    """Exact two-sided p-value of the signed ranks (Pratt), over every choice of signs."""
+    ranks = stats.rankdata(np.abs(difference))[difference != 0]
+    half = ranks.sum() / 2
+    found = abs(ranks[difference[difference != 0] > 0].sum() - half)
+    sums = [sum(chosen) for chosen in itertools.product(*((0.0, rank) for rank in ranks))]
+    return np.mean([abs(s - half) >= found - 1e-9 for s in sums])
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_small_samples_are_tested_exactly_with_ties_and_zeros(seed):
+    rng = np.random.default_rng(seed)
+    a, b = rng.integers(0, 5, (2, 3 + seed % 9))
+    p, _ = tell_apart(a, b)
+    assert p == pytest.approx(signs_by_hand(a - b) if (a != b).any() else 1.0)
+
+
+def test_without_ties_the_exact_test_is_that_of_scipy():
+    rng = np.random.default_rng(2)
+    difference = rng.permutation(np.arange(1, 41)) * rng.choice([-1, 1, 1], 40)
+    assert tell_apart(difference, np.zeros(40, int))[0] == pytest.approx(
+        stats.wilcoxon(difference, method="exact").pvalue
+    )
+
+
+def test_ties_are_those_of_cells_not_of_rounded_shares():
+    """Five cells less are five cells less, whatever the fire; as shares of 1107 they are not all the same number."""
+    random = np.array([1000, 907, 813, 611, 102, 50])
+    cells = {"a": random - np.array([5, 5, 5, 5, 5, -5]), "random": random}
+    shares = {name: runs / 1107 for name, runs in cells.items()}
+    assert len(set(np.abs(shares["a"] - shares["random"]))) > 1
+    p, effect = tell_apart(cells["a"], cells["random"])
+    assert p == signs_by_hand(cells["a"] - cells["random"]) == 14 / 64
+    result = summarise({name: runs[:, None] for name, runs in cells.items()}, fuel=1107, budgets=[0.1])
+    assert result["p_value"].sel(ranking="a").item() == p
+    assert effect == pytest.approx(-4 / 6)
+
+
+def test_every_p_value_is_found_again_from_the_runs(network, priorities):
+    result = evaluate(network, priorities, budgets=[0, 0.1, 0.3], n_runs=30, seed=2)
+    runs = runs_table(result)
+    assert list(runs.columns) == ["run", "d_f", *priorities]
+    assert (runs.dtypes[list(priorities)] == np.dtype(int)).all()
+    for row in table(result).itertuples():
+        picked = runs[runs["d_f"] == row.d_f]
+        assert picked[row.method].mean() / network.n_burnable == pytest.approx(row.mean)
+        if row.method != "random":
+            p, effect = tell_apart(picked[row.method].to_numpy(), picked["random"].to_numpy())
+            assert (p, effect) == (row.p_value, row.effect_size)
+            assert row.significant == ("no" if p >= 0.01 else "better" if effect < 0 else "worse")
 
 
 def test_tests_on_equal_and_on_different_samples():
@@ -139,13 +193,15 @@ def test_value_lost_is_summed_over_burnt_cells():
     assert (burns["value_lost"] == value.sum()).all()
 
 
-def test_range_of_significance():
+def test_range_and_direction_of_significance():
     rng = np.random.default_rng(0)
-    base = rng.random((60, 5))
-    shift = np.array([0.0, 0.0, -0.6, -0.6, 0.6])
-    result = summarise({"a": base + shift, "random": base}, budgets=[0, 0.1, 0.2, 0.3, 0.4])
+    base = rng.integers(0, 1000, (60, 5))
+    shift = np.array([0, 0, -600, -600, 600])
+    result = summarise({"a": base + shift, "random": base}, fuel=1000, budgets=[0, 0.1, 0.2, 0.3, 0.4])
     assert better_range(result, "a") == [0.2, 0.3]
-    assert better_range(summarise({"a": base, "random": base}, budgets=[0, 0.1, 0.2, 0.3, 0.4]), "a") is None
+    assert result["significant"].sel(ranking="a").to_numpy().tolist() == ["no", "no", "better", "better", "worse"]
+    same = summarise({"a": base, "random": base}, fuel=1000, budgets=[0, 0.1, 0.2, 0.3, 0.4])
+    assert better_range(same, "a") is None
 
 
 def signed_rank_by_pratt(difference):
@@ -162,11 +218,11 @@ def signed_rank_by_pratt(difference):
 def test_fires_that_do_not_differ_are_ranked_by_pratts_method(seed):
     """Breaks that a fire never meets change nothing: such runs count, and dropping them would tell too much."""
     rng = np.random.default_rng(seed)
-    burnt = rng.integers(0, 30, 60) / 30.0
-    other = burnt + np.where(rng.random(60) < 0.5, 0.0, rng.integers(-6, 9, 60) / 30.0)
+    burnt = rng.integers(0, 30, 160) / 30.0
+    other = burnt + np.where(rng.random(160) < 0.5, 0.0, rng.integers(-6, 9, 160) / 30.0)
     difference = np.round(burnt - other, 9)
-    assert 10 < np.count_nonzero(difference == 0) < 50
-    p, _ = tell_apart(difference, np.zeros(60))
+    assert 20 < np.count_nonzero(difference == 0) < 105
+    p, _ = tell_apart(difference, np.zeros(160))
     assert p == pytest.approx(signed_rank_by_pratt(difference.tolist()), rel=1e-9)
     for method in ("wilcox", "zsplit"):
         assert p != pytest.approx(stats.wilcoxon(difference, zero_method=method, method="approx").pvalue, rel=1e-3)

@@ -22,6 +22,7 @@ from firebreak_gis.plugins import build_params, load
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
     from matplotlib.figure import Figure
 
@@ -53,9 +54,20 @@ class _Judged:
 
 def _csv(judged: _Judged, path: Path, how: Writing) -> None:
     from firebreak_gis.evaluation.curves import table
+
+    _write(table(judged.result), path, how)
+
+
+def _runs(judged: _Judged, path: Path, how: Writing) -> None:
+    from firebreak_gis.evaluation.curves import runs_table
+
+    _write(runs_table(judged.result), path, how)
+
+
+def _write(frame: pd.DataFrame, path: Path, how: Writing) -> None:
     from firebreak_gis.files import write_text
 
-    write_text(path, table(judged.result).to_csv(index=False, lineterminator="\n"), overwrite=how.overwrite)
+    write_text(path, frame.to_csv(index=False, lineterminator="\n"), overwrite=how.overwrite)
 
 
 def _picture(judged: _Judged, path: Path, how: Writing) -> None:
@@ -67,6 +79,7 @@ def _picture(judged: _Judged, path: Path, how: Writing) -> None:
 #: What the command writes into its folder.
 OUTPUTS: tuple[Output[_Judged], ...] = (
     Output("evaluation.csv", "Burnt share and significance of every ranking at every budget", _csv),
+    Output("runs.csv", "Cells burnt in every run, from which each p-value can be found again", _runs),
     Output("evaluation.png", "Curves of the burnt share", _picture),
     Output("evaluation.svg", "Curves of the burnt share, to scale", _picture),
     account(
@@ -136,7 +149,7 @@ def command(
     """Judge rankings on NETWORK: mean, 90 % percentile and maximum of the burnt share at every budget.
 
     All rankings meet the same fires, and each plan is made for its budget, as firebreak plan makes it. Writes
-    evaluation.csv, evaluation.png, evaluation.svg and run.json.
+    evaluation.csv, runs.csv, evaluation.png, evaluation.svg and run.json.
     """
     from firebreak_gis.evaluation.curves import evaluate_fires
     from firebreak_gis.files.outputs import write_all

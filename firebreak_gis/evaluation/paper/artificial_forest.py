@@ -76,7 +76,7 @@ def artificial_forest(
     -------
     xarray.Dataset
         As `evaluation.summarise`, rankings labelled as in `METHODS`. Mean, percentile and maximum are over
-        all fires; the paired Wilcoxon test compares the means of the forests, since fires of one forest are
+        all fires; the paired Wilcoxon test compares the sums of the forests, since fires of one forest are
         not independent.
     """
     from firebreak_gis.kernels.draws import run_keys
@@ -102,14 +102,15 @@ def artificial_forest(
                 seed=int(key),
                 threads=threads,
             )
-            fires[label].append(burnt.to_numpy() / network.n_burnable)
-    all_fires = {label: np.concatenate(shares) for label, shares in fires.items()}
-    forest_means = {label: np.stack([s.mean(axis=0) for s in shares]) for label, shares in fires.items()}
-    result = summarise(all_fires, budgets=budgets, baseline="random", alpha=alpha)
-    by_forest = summarise(forest_means, budgets=budgets, baseline="random", alpha=alpha)
+            fires[label].append(burnt.to_numpy())
+    fuel = shape[0] * shape[1]
+    all_fires = {label: np.concatenate(cells) for label, cells in fires.items()}
+    by_forest = {label: np.stack([c.sum(axis=0) for c in cells]) for label, cells in fires.items()}
+    result = summarise(all_fires, fuel=fuel, budgets=budgets, baseline="random", alpha=alpha)
+    tested = summarise(by_forest, fuel=fuel * n_runs, budgets=budgets, baseline="random", alpha=alpha)
     for key in ("p_value", "effect_size", "significant"):
-        result[key] = by_forest[key]
-    return result.assign_attrs(n_forests=n_forests, n_runs=n_runs, seed=seed, n_burnable=shape[0] * shape[1])
+        result[key] = tested[key]
+    return result.assign_attrs(n_forests=n_forests, n_runs=n_runs, seed=seed, n_burnable=fuel)
 
 
 def curve_table(result: xr.Dataset) -> pd.DataFrame:

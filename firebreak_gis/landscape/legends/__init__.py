@@ -30,6 +30,7 @@ from pathlib import Path
 import numpy as np
 
 from firebreak_gis.errors import LegendError
+from firebreak_gis.files.gate import is_file
 from firebreak_gis.landscape.legends.burning import BURNING, burning_of
 from firebreak_gis.schema import DENSITY, VEGETATION
 
@@ -202,7 +203,7 @@ def read_legend(name_or_path: str | os.PathLike[str] | Legend) -> Legend:
         text = (importlib.resources.files(__package__) / f"{name}.csv").read_text(encoding="utf-8")
         return parse(text, name, f"the legend {name}")
     path = Path(name)
-    if not path.is_file():
+    if not is_file(path):
         raise LegendError(f"no legend {name!r}: neither a built-in one ({', '.join(names())}) nor a CSV file")
     try:
         content = path.read_bytes()
@@ -277,6 +278,7 @@ def _delimiter(lines: list[str]) -> str:
 
 
 def _cells(line: str, delimiter: str) -> list[str]:
+    csv.field_size_limit(max(csv.field_size_limit(), len(line)))  # a cell may be of any length
     return [cell.strip() for cell in next(csv.reader([line], skipinitialspace=True, delimiter=delimiter))] or [""]
 
 
@@ -292,14 +294,14 @@ def _inherited(
         raise LegendError(f"{where}, line {number}: expected one line {EXTENDS},NAME with the name of one legend")
     other = names[0]
     beside = (folder or Path()) / other
-    if other not in _built_in() and beside.is_file():
+    if other not in _built_in() and is_file(beside):
         other = str(beside)
     if where in within or other in within:
         raise LegendError(f"{where}, line {number}: the legends extend each other in a circle")
     if other in _built_in():
         return read_legend(other)
     path = Path(other)
-    if not path.is_file():
+    if not is_file(path):
         raise LegendError(
             f"{where}, line {number}: no legend {names[0]!r} to extend: neither a built-in one "
             f"({', '.join(_built_in())}) nor a file in the same folder"
