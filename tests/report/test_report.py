@@ -37,7 +37,7 @@ def shares(n_methods, n_budgets, n_runs=12):
     budgets = np.linspace(0, 0.4, n_budgets)
     names = ["random", *(f"method {k}" for k in range(n_methods - 1))]
     burnt = {n: random.random((n_runs, n_budgets)) * (1 - budgets) * (1 - 0.3 * (n != "random")) for n in names}
-    return summarise(burnt, budgets=budgets)
+    return summarise(burnt, fuel=1, budgets=budgets)
 
 
 def picture(figure):
