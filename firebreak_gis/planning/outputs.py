@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.construction.writing import write_compartments, write_segments
-from firebreak_gis.evaluation.curves import table
 from firebreak_gis.files import write_text
 from firebreak_gis.files.outputs import Output, Writing, write_all
 from firebreak_gis.landscape.folder import OUTPUTS as LAYERS
@@ -43,6 +42,12 @@ def _table(name: str, label: str, get: Callable[[Plan], pd.DataFrame]) -> Output
         write_text(path, get(plan).to_csv(index=False, lineterminator="\n"), overwrite=how.overwrite)
 
     return Output(name, label, write)
+
+
+def _evaluation(plan: Plan) -> pd.DataFrame:
+    from firebreak_gis.evaluation.curves import table
+
+    return table(plan.evaluation)
 
 
 def _breaks(plan: Plan, path: Path, how: Writing) -> None:
@@ -98,7 +103,7 @@ OUTPUTS: tuple[Output[Plan], ...] = (
     Output("segments.gpkg", "Segments to build, in order", _segments, main=True),
     Output("compartments.gpkg", "Compartments between the breaks", _compartments, main=True),
     _table("fire_sizes.csv", "Size of every fire without and with the breaks", lambda plan: plan.fire_sizes),
-    _table("evaluation.csv", "Burnt share at every budget", lambda plan: table(plan.evaluation)),
+    _table("evaluation.csv", "Burnt share at every budget", _evaluation),
     Output("overview.png", "Picture of the plan", _overview),
     account("plan", _account),
 )
