@@ -5,8 +5,8 @@ of W cells along and L across the heading, rows S apart and an overlap of O, the
 W L / ((W + S) 2 (L - O)); S follows from the budget. Patches with most fuel value come first, then the cells nearest
 to patches. Treated cells that still burn (residual above 0) are what the pattern was made for. Cost: a few passes.
 
-The pattern slows fires and leaves them a way round every patch. Here a fire has no clock, so that slowing it saves
-nothing. A pattern laid for a smaller budget than is cut therefore burns less: what is left goes to the cells nearest
+The pattern slows fires and leaves them a way round every patch. Where fires burn until they end by themselves, slowing
+them saves nothing. A pattern laid for a smaller budget than is cut therefore burns less: what is left goes to the cells nearest
 to the patches, closes the gaps within each row, and the rows become walls. Such a plan is `stripes` by another name;
 `plan` and `rank` lay the pattern for the budget that is cut.
 Source: Finney 2001, doi 10.1093/forestscience/47.2.219.
