@@ -6,9 +6,9 @@ W L / ((W + S) 2 (L - O)); S follows from the budget. Patches with most fuel val
 to patches. Treated cells that still burn (residual above 0) are what the pattern was made for. Cost: a few passes.
 
 The pattern slows fires and leaves them a way round every patch. Where fires burn until they end by themselves, slowing
-them saves nothing. A pattern laid for a smaller budget than is cut therefore burns less: what is left goes to the cells nearest
-to the patches, closes the gaps within each row, and the rows become walls. Such a plan is `stripes` by another name;
-`plan` and `rank` lay the pattern for the budget that is cut.
+them saves nothing. A pattern laid for a smaller budget than is cut therefore burns less: what is left goes to the
+cells nearest to the patches, closes the gaps within each row, and the rows become walls. Such a plan is `stripes` by
+another name; `plan` and `rank` lay the pattern for the budget that is cut.
 Source: Finney 2001, doi 10.1093/forestscience/47.2.219.
 """
 
