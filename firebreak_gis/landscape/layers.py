@@ -138,7 +138,7 @@ def _refuse_odd_quantity(values: np.ndarray, header: Header, name: str, table: L
             f"{header.path} looks like a fraction (0 to 1), the legend {table.name} goes up to {top:g}; "
             "scale it or give a legend for fractions"
         )
-    if low == 0 and (present == 0).all():
+    if name == "density" and low == 0 and (present == 0).all():
         raise LegendError(
             f"{header.path} (band {header.band}, {name}) is 0 on all cells: is it an empty band? Give another raster, "
             "or in its place a word: sparse if there is no cover indeed, normal, or continuity; with a landscape file: "
