@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from firebreak_gis.rasters import write_raster
     from firebreak_gis.simulation.distributed import simulate_distributed
     from firebreak_gis.simulation.fires import burn_curve, simulate
+    from firebreak_gis.simulation.ignitions import ignition_places
     from firebreak_gis.simulation.weather_reading import read_weather
     from firebreak_gis.spread import spread_network, weather_networks
     from firebreak_gis.spread.artificial import forest
@@ -40,6 +41,7 @@ _HOMES = {
     "evaluate": "evaluation.curves",
     "FirebreakError": "errors",
     "forest": "spread.artificial",
+    "ignition_places": "simulation.ignitions",
     "plan": "planning.pipeline",
     "rank": "planning.design",
     "read_landscape": "landscape",

@@ -22,7 +22,7 @@ from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
 from firebreak_gis.simulation.fires import burn, resolved
 from firebreak_gis.simulation.ignitions import Ignitions
-from firebreak_gis.simulation.request import FireRequest, IgnitionMode
+from firebreak_gis.simulation.request import FireRequest, IgnitionMode, Outside
 from firebreak_gis.spread import spread_network
 from firebreak_gis.stakes import StakePlanes, Stakes
 
@@ -192,6 +192,7 @@ def plan(
     refine: bool = False,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
+    ignitions_outside: Outside = "refuse",
     n_runs: int = 100,
     seed: int = 0,
     threads: int | None = None,
@@ -225,6 +226,8 @@ def plan(
         Whether the breaks are improved by local search on simulated fires, see `placement.refinement.refine`.
     ignitions, ignition_mode, n_runs, seed, threads, progress
         As in `simulate`; without `ignitions` fires start by `ignition`. No method designs its plan with these fires.
+    ignitions_outside
+        Whether points and polygons off the landscape or without fuel are refused, or left out and counted.
     checked
         Told, before the ranking, what can be reached.
 
@@ -251,7 +254,7 @@ def plan(
     request = PlanRequest(
         design=DesignRequest(method, method_params or {}, budget, budget_unit, width, refine),
         spread=SpreadRequest(model, model_params or {}),
-        fires=FireRequest(ignitions, ignition_mode, n_runs, seed, residual),
+        fires=FireRequest(ignitions, ignition_mode, n_runs, seed, residual, ignitions_outside=ignitions_outside),
     )
     planes = StakePlanes(barriers=barriers, cost=cost, protected=protected, value=value, ignition=ignition)
     return make_plan(landscape, request, planes, threads=threads, checked=checked, progress=progress)

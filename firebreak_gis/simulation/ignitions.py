@@ -126,8 +126,8 @@ def ignition_places(network: SpreadNetwork, source: Any = None, *, outside: Outs
         problems.append(f"{word} lies {where}")
     if problems and (outside == "refuse" or not kept):
         shown = "; ".join(problems[:5]) + (f"; and {len(problems) - 5} more" if len(problems) > 5 else "")
-        remedy = "move or remove them, or leave them out (--ignitions-outside drop)" if kept else "none is left"
-        raise InputError(f"ignitions cannot burn: {shown}; {remedy}")
+        remedy = "--ignitions-outside drop leaves them out" if kept else "none is left"
+        raise InputError(f"{len(problems)} of {len(groups)} ignitions cannot burn ({remedy}): {shown}")
     if problems:
         account.alignment.append(
             f"ignitions: {len(problems)} of {len(groups)} were left out, {off} outside the grid and "

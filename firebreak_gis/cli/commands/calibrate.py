@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from firebreak_gis.cli import kinds, options, outputs, weather_options
-from firebreak_gis.cli.layers import input_files
+from firebreak_gis.cli.layers import input_files, tell
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, ParameterError
@@ -93,8 +93,9 @@ def command(
     from firebreak_gis.files import require_writable, together, write_text
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import read_landscape_folder
-    from firebreak_gis.landscape.planes import value_plane
+    from firebreak_gis.landscape.planes import ignition_source
     from firebreak_gis.landscape.scars import fire_table
+    from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind
     from firebreak_gis.simulation.durations import as_seconds
@@ -112,9 +113,9 @@ def command(
         if ensemble is None:
             raise ParameterError("--weather is missing: the winds in which the fires of the region burn")
         landscape = read_landscape_folder(folder)
-        ignitions = given["ignitions"]
-        if ignitions is not None:
-            ignitions = value_plane(ignitions, Grid.of(landscape["burnable"]), what="ignitions").clip(0.0)
+        account = Account()
+        ignitions = ignition_source(given["ignitions"], Grid.of(landscape["burnable"]), account)
+        tell(account, session)
         observed = fire_table(
             fires,
             size=given["size_column"],
