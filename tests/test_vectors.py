@@ -320,3 +320,24 @@ def test_tables_that_are_unclear_are_refused(tmp_path):
     path.write_text("x,y\n500000,4000000\n")
     with pytest.raises(InputError, match="cannot be filtered"):
         vectors.read_points(f"{path}|subset=x > 1", UTM)
+
+
+@pytest.mark.parametrize("encoding", ["ISO-8859-1", "cp1252", "UTF-8"])
+@pytest.mark.parametrize("told", ["as written", "UTF-8", "nothing"])
+def test_tables_of_shapefiles_in_any_encoding_are_read(tmp_path, encoding, told):
+    """The code page stands in the .cpg, or in byte 29 of the .dbf, or nowhere, or wrongly."""
+    frame = gpd.GeoDataFrame({"Größe": [7.0], "name": ["Straße"]}, geometry=[shapely.box(0, 0, 9, 9)], crs="EPSG:32635")
+    path = tmp_path / "a.shp"
+    frame.to_file(path, encoding=encoding)
+    if told != "as written":
+        path.with_suffix(".cpg").unlink(missing_ok=True)
+        table = bytearray(path.with_suffix(".dbf").read_bytes())
+        table[29] = 0
+        path.with_suffix(".dbf").write_bytes(bytes(table))
+    if told == "UTF-8":
+        path.with_suffix(".cpg").write_text("UTF-8")
+    found = vectors.read_polygons(path, "EPSG:32635")
+    assert len(found) == 1
+    if not (encoding == "UTF-8" and told == "nothing"):  # then nobody can know
+        assert found["Größe"].tolist() == [7.0]
+        assert found["name"].tolist() == ["Straße"]

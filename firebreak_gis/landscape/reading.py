@@ -52,11 +52,13 @@ def read_landscape(
     Parameters
     ----------
     dem
-        Elevation: a path, or an array with CRS as rioxarray keeps it. Feet are turned into metres
-        where the file says so. A variable of a netCDF file by name: `a.nc:height`.
+        Elevation: a path, or an array with its CRS in a CF grid mapping, as rioxarray keeps it (its dims may be lat and
+        lon). Feet are turned into metres where the file says so. A variable of a netCDF file by name: `a.nc:height`; a
+        band by its number: `a.tif:2`. A plain numpy array lies on the grid `like`.
     vegetation
-        Class codes that `legend` lists. May be left out where `dem` is a FlamMap landscape (`.lcp`): then fuel
-        models and canopy cover are taken from it, with the legends for them.
+        Class codes that `legend` lists. May be left out, or be a word for the density, where `dem` is a FlamMap
+        landscape (`.lcp`) or a GeoTIFF of LANDFIRE's: then fuel models and canopy cover are taken from it, with the
+        legends for them. A plain numpy array, here and below, lies where `dem` does.
     density
         Class codes, or a cover, that `density_legend` lists; or one class for all fuel ("sparse",
         "normal", "dense"); or "continuity", by the share of cells with fuel in the 7 x 7 cells about each (below
@@ -73,7 +75,7 @@ def read_landscape(
         Path, `Grid` or array whose grid is taken; excludes `crs`, `resolution`, `bounds`.
     src_crs, src_nodata, band
         By layer ("dem", "vegetation", "density"): the CRS in place of what the file says, value or values that
-        mean "no data", and band number.
+        mean "no data" (NaN: none does), and band number.
     unknown
         What codes missing from the legend are: an error, or land without fuel.
     strict
