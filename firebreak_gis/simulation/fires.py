@@ -44,6 +44,7 @@ def simulate(
     value: np.ndarray | xr.DataArray | None = None,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
+    ignition_times: Any = None,
     n_runs: int = 100,
     first_run: int = 0,
     seed: int = 0,
@@ -70,8 +71,9 @@ def simulate(
         Share of its spread probability that a treated cell keeps; 0 is a perfect break.
     value
         (y, x) value lost when the cell burns, finite and >= 0 on fuel; then the result holds `value_lost`.
-    ignitions, ignition_mode
-        See `firebreak_gis.simulation.ignitions.resolve_ignitions`; default: one random cell with fuel a run.
+    ignitions, ignition_mode, ignition_times
+        See `firebreak_gis.simulation.ignitions.resolve_ignitions`; default: one random cell with fuel a run, lit at
+        once. Without a clock the times do not matter.
     n_runs
         Number of runs. Run i is the same for any number of runs.
     first_run
@@ -140,6 +142,7 @@ def simulate(
         hold=as_hold(hold),
         barriers_hold=barriers_hold,
         embers=as_embers(embers),
+        ignition_times=ignition_times,
     )
     return burn(
         network,
@@ -233,6 +236,7 @@ def resolved(network: SpreadNetwork, request: FireRequest, *, first_run: int = 0
         first_run=first_run,
         seed=request.seed,
         outside=request.ignitions_outside,
+        times=request.ignition_times,
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import os
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
@@ -63,15 +63,20 @@ class Places:
         Place k is ``cells[starts[k]:starts[k + 1]]``: one cell of a point, all with fuel that a polygon cuts.
     notes
         Sentences on what was left out or done.
+    at
+        (n_places,) uint64, when each place is lit [s after the start of a run]; None: at once.
     """
 
     weights: np.ndarray | None
     starts: np.ndarray
     cells: np.ndarray
     notes: tuple[str, ...] = ()
+    at: np.ndarray | None = None
 
 
-def ignition_places(network: SpreadNetwork, source: Any = None, *, outside: Outside = "refuse") -> Places:
+def ignition_places(
+    network: SpreadNetwork, source: Any = None, *, outside: Outside = "refuse", times: Any = None
+) -> Places:
     """Find the cells where fires may start.
 
     Parameters
@@ -85,6 +90,9 @@ def ignition_places(network: SpreadNetwork, source: Any = None, *, outside: Outs
         cuts burn from the start.
     outside
         Points and polygons outside the grid or without fuel: `"refuse"` them, or `"drop"` them with a note.
+    times
+        When each point or polygon is lit [s after the start of a run]: as many numbers, or the name of a column that
+        tells it in hours. Default: at once.
 
     Returns
     -------
@@ -105,18 +113,22 @@ def ignition_places(network: SpreadNetwork, source: Any = None, *, outside: Outs
     nowhere = np.zeros(0, np.int64)
     account = Account()
     weights = _weights(network, source, account)
+    if weights is not None and times is not None:
+        raise ParameterError("times of ignitions need points or polygons that are lit, and cells are drawn here")
     if weights is not None:
         return Places(weights, np.zeros(1, np.int64), nowhere, tuple(account.alignment + account.warnings))
     if is_vector(source):
-        groups, words = _drawn_groups(network, source, account)
+        groups, words, frame = _drawn_groups(network, source, account)
     else:
-        groups, words = _pairs(network, source)
+        (groups, words), frame = _pairs(network, source), None
+    lit = None if times is None else _lit_at(times, frame, len(groups))
     fuel = network.burnable.ravel()
-    problems, kept, off = [], [], 0
-    for group, word in zip(groups, words, strict=True):
+    problems, kept, there, off = [], [], [], 0
+    for i, (group, word) in enumerate(zip(groups, words, strict=True)):
         burning = group[fuel[group]]
         if burning.size:
             kept.append(burning)
+            there.append(i)
             continue
         off += not group.size
         where = f"outside the grid {network.grid.describe()}"
@@ -134,7 +146,8 @@ def ignition_places(network: SpreadNetwork, source: Any = None, *, outside: Outs
             f"{len(problems) - off} on cells without fuel"
         )
     starts = np.concatenate(([0], np.cumsum([group.size for group in kept])))
-    return Places(None, starts, np.concatenate(kept), tuple(account.alignment + account.warnings))
+    notes = tuple(account.alignment + account.warnings)
+    return Places(None, starts, np.concatenate(kept), notes, None if lit is None else lit[there])
 
 
 def resolve_ignitions(
@@ -146,6 +159,7 @@ def resolve_ignitions(
     first_run: int = 0,
     seed: int,
     outside: Outside = "refuse",
+    times: Any = None,
 ) -> Ignitions:
     """Decide the ignition cells of every run.
 
@@ -158,14 +172,16 @@ def resolve_ignitions(
         `mode` says. `Ignitions` of these runs, decided earlier for this network: returned as they are.
     mode
         `"each"`: the runs take the places in turn, in an order drawn by the seed, so that fewer runs than places start
-        all over the map. `"all"`: every run starts at all places.
+        all over the map. `"all"`: every run starts at all places. `"density"`: they are fires of the past; one cell a
+        run is drawn from their middles, smoothed by a Gaussian kernel with the bandwidth of Scott 1992 (doi
+        10.1002/9780470316849), at least 500 m.
     n_runs
         Number of runs, at least 1. Run i is the same for any number of runs.
     first_run
         Number of the first run.
     seed
         Seed of the draws.
-    outside
+    outside, times
         As in `ignition_places`.
 
     Raises
@@ -178,8 +194,8 @@ def resolve_ignitions(
     for name, number, least in (("n_runs", n_runs, 1), ("first_run", first_run, 0), ("seed", seed, 0)):
         if not isinstance(number, (int, np.integer)) or isinstance(number, bool) or number < least:
             raise ParameterError(f"{name} is {number!r}, expected a whole number of at least {least}")
-    if mode not in ("each", "all"):
-        raise ParameterError(f"ignition mode is {mode!r}, expected 'each' or 'all'")
+    if mode not in get_args(IgnitionMode):
+        raise ParameterError(f"ignition mode is {mode!r}, expected one of {', '.join(get_args(IgnitionMode))}")
     if isinstance(ignitions, Ignitions):
         if (ignitions.first_run, ignitions.starts.size - 1) != (first_run, n_runs):
             raise ParameterError(
@@ -187,23 +203,58 @@ def resolve_ignitions(
                 f"{n_runs} runs from run {first_run}"
             )
         return ignitions
-    places = ignitions if isinstance(ignitions, Places) else ignition_places(network, ignitions, outside=outside)
-    if places.weights is not None:
-        cumulative = np.cumsum(places.weights)
+    places = ignitions
+    if not isinstance(places, Places):
+        places = ignition_places(network, ignitions, outside=outside, times=times)
+    weights = _density(network, places) if mode == "density" else places.weights
+    if weights is not None:
+        cumulative = np.cumsum(weights)
         draw = uniforms(stream_key(seed, "ignitions"), n_runs, first_run) * cumulative[-1]
         cells = np.searchsorted(cumulative, draw, side="right")
         return Ignitions(np.arange(n_runs + 1), cells.astype(np.int64), first_run, notes=places.notes)
     if mode == "all":
-        return Ignitions(
-            np.arange(n_runs + 1) * places.cells.size, np.tile(places.cells, n_runs), first_run, notes=places.notes
-        )
+        all_lit = None if places.at is None else np.tile(np.repeat(places.at, np.diff(places.starts)), n_runs)
+        all_cells = np.tile(places.cells, n_runs)
+        return Ignitions(np.arange(n_runs + 1) * places.cells.size, all_cells, first_run, all_lit, places.notes)
     n_places = places.starts.size - 1
     order = np.argsort(uniforms(stream_key(seed, "places"), n_places), kind="stable")
     turn = order[np.arange(first_run, first_run + n_runs) % n_places]
     first, size = places.starts[turn], np.diff(places.starts)[turn]
     starts = np.concatenate(([0], np.cumsum(size)))
     within = np.arange(starts[-1]) - np.repeat(starts[:-1], size)
-    return Ignitions(starts, places.cells[np.repeat(first, size) + within], first_run, notes=places.notes)
+    lit = None if places.at is None else np.repeat(places.at[turn], size)
+    return Ignitions(starts, places.cells[np.repeat(first, size) + within], first_run, lit, places.notes)
+
+
+def _density(network: SpreadNetwork, places: Places) -> np.ndarray:
+    """Density of fires in places on the cells with fuel, (n_cells,) float64."""
+    from scipy import ndimage
+
+    if places.weights is not None:
+        raise ParameterError("a density of past fires needs points or polygons of them (--ignitions)")
+    row, col = (np.add.reduceat(axis, places.starts[:-1]) for axis in np.divmod(places.cells, network.shape[1]))
+    n = np.diff(places.starts)
+    middle = np.array([row / n, col / n])
+    size = network.grid.cell_size
+    bandwidth = max(float(np.std(middle, axis=1).mean()) * size * n.size ** (-1 / 6), 500.0)
+    counts = np.zeros(network.shape)
+    np.add.at(counts, tuple(np.floor(middle + 0.5).astype(np.int64)), 1.0)
+    wrap = "wrap" if network.boundary == "periodic" else "constant"
+    return np.where(network.burnable, ndimage.gaussian_filter(counts, bandwidth / size, mode=wrap), 0.0).ravel()
+
+
+def _lit_at(times: Any, frame: gpd.GeoDataFrame | None, n: int) -> np.ndarray:
+    """When each of n features is lit, (n,) uint64 [s]."""
+    if isinstance(times, str):
+        if frame is None or times not in frame.columns:
+            known = "" if frame is None else f"; there are {', '.join(map(str, frame.columns.drop('geometry')))}"
+            raise InputError(f"the ignitions have no column {times!r} that tells when they are lit{known}")
+        seconds = 3600.0 * np.asarray(frame[times], dtype=np.float64)
+    else:
+        seconds = np.asarray(times, dtype=np.float64).ravel()
+    if seconds.size != n or not ((seconds >= 0) & (seconds < 2.0**32)).all():
+        raise InputError(f"the times of the ignitions are {seconds.size} numbers, expected {n}, none missing or below 0")
+    return np.rint(seconds).astype(np.uint64)
 
 
 def _weights(network: SpreadNetwork, source: Any, account: Account) -> np.ndarray | None:
@@ -227,8 +278,10 @@ def _weights(network: SpreadNetwork, source: Any, account: Account) -> np.ndarra
     return np.asarray(np.ldexp(plane.ravel(), -int(np.frexp(plane.max())[1])))
 
 
-def _drawn_groups(network: SpreadNetwork, source: Any, account: Account) -> tuple[list[np.ndarray], list[str]]:
-    """Cells of every point and polygon, and what to call it."""
+def _drawn_groups(
+    network: SpreadNetwork, source: Any, account: Account
+) -> tuple[list[np.ndarray], list[str], gpd.GeoDataFrame]:
+    """Cells of every point and polygon, what to call it, and the features."""
     from firebreak_gis.vectors import read_starts
 
     frame = read_starts(source, network.grid.crs, explode=False)
@@ -249,7 +302,7 @@ def _drawn_groups(network: SpreadNetwork, source: Any, account: Account) -> tupl
     cells = network.grid.cells_of(middle.x.to_numpy(), middle.y.to_numpy())
     for i in np.flatnonzero(np.array(kinds) == "point").tolist():
         groups[i] = cells[i : i + 1][cells[i : i + 1] >= 0]
-    return groups, words
+    return groups, words, frame
 
 
 def _apart(frame: gpd.GeoDataFrame, chosen: np.ndarray) -> gpd.GeoDataFrame:

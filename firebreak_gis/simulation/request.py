@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     from firebreak_gis.simulation.durations import Duration
     from firebreak_gis.simulation.embers import Embers
 
-#: `each`: each run starts at one of the given places. `all`: every run starts at all of them at once.
-IgnitionMode = Literal["each", "all"]
+#: `each`: each run starts at one of the given places. `all`: every run starts at all of them at once. `density`: they
+#: are past fires, and runs start where such fires are dense.
+IgnitionMode = Literal["each", "all", "density"]
 #: What is done with places where no fire can start.
 Outside = Literal["refuse", "drop"]
 
@@ -32,7 +33,8 @@ class FireRequest:
     ignitions
         Where they start, see `ignitions.resolve_ignitions`; None is one random cell with fuel a run.
     ignition_mode
-        What points and polygons mean: the runs take them in turn, or every run starts at all of them.
+        What points and polygons mean: the runs take them in turn, every run starts at all of them, or they are fires of
+        the past.
     n_runs
         Number of runs.
     seed
@@ -49,6 +51,8 @@ class FireRequest:
         Embers that fly ahead; None for none.
     ignitions_outside
         Whether points and polygons where no fire can start are refused or left out.
+    ignition_times
+        When each point or polygon is lit, see `ignitions.resolve_ignitions`.
     """
 
     ignitions: Any = None
@@ -61,6 +65,7 @@ class FireRequest:
     barriers_hold: float = 1.0
     embers: Embers | None = None
     ignitions_outside: Outside = "refuse"
+    ignition_times: Any = None
 
     @property
     def timeless(self) -> bool:

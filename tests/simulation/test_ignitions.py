@@ -203,3 +203,47 @@ def test_a_raster_file_on_any_grid_reads_as_on_the_command_line(network, tmp_pat
     laid = np.where(weights > 0, weights, 0)
     one = resolve_ignitions(network, path, n_runs=40, seed=1)
     assert (one.cells == resolve_ignitions(network, laid, n_runs=40, seed=1).cells).all()
+
+
+def test_each_feature_is_lit_at_its_time():
+    times = np.full((8, 9, 12), 600)
+    network = SpreadNetwork(np.ones((8, 9, 12)), travel_time=times, **UTM)
+    points = gpd.GeoDataFrame(
+        {"after_h": [0.0, 0.5]},
+        geometry=[Point(centre(network, 0, 0)), Point(centre(network, 8, 11))],
+        crs="EPSG:32635",
+    )
+    given = {"ignition_mode": "all", "n_runs": 1, "products": Products(arrivals=True)}
+    by_column = simulate(network, ignitions=points, ignition_times="after_h", duration="40min", **given)
+    by_numbers = simulate(network, ignitions=points, ignition_times=[0, 1800], duration="40min", **given)
+    assert by_column.identical(by_numbers)
+    arrival = by_column["arrival"][0].to_numpy()
+    row, col = np.mgrid[:9, :12]
+    one, other = np.maximum(row, col) * 600, 1800 + np.maximum(8 - row, 11 - col) * 600
+    expected = np.minimum(one, other)
+    assert (arrival == np.where(expected <= 2400, expected, NEVER)).all()
+    with pytest.raises(InputError, match="after_h"):
+        simulate(network, ignitions=points, ignition_times="hours", n_runs=1)
+    with pytest.raises(InputError, match="expected 2"):
+        simulate(network, ignitions=points, ignition_times=[0, 1, 2], n_runs=1)
+    with pytest.raises(ParameterError, match="drawn"):
+        simulate(network, ignition_times=[0.0], n_runs=1)
+
+
+def test_past_fires_make_a_density(tmp_path):
+    network = SpreadNetwork(np.full((8, 120, 150), 0.4), **UTM)
+    random = np.random.default_rng(1)
+    west = [Point(centre(network, *place)) for place in random.integers((20, 10), (100, 40), (60, 2))]
+    east = [Point(centre(network, 60, 120)).buffer(90.0)] * 20
+    past = write_vector(tmp_path / "past.gpkg", gpd.GeoDataFrame(geometry=west + east, crs="EPSG:32635"))
+    drawn = resolve_ignitions(network, past, mode="density", n_runs=4000, seed=3).cells
+    col = drawn % 150
+    assert len(set(drawn.tolist())) > 1000  # not the fires themselves
+    near_east, near_west = (col > 80).mean(), (col < 80).mean()
+    assert near_east == pytest.approx(0.25, abs=0.05)
+    assert near_west == pytest.approx(0.75, abs=0.05)
+    with pytest.raises(ParameterError, match="past fires"):
+        resolve_ignitions(network, [centre(network, 3, 3)], mode="density", n_runs=3, seed=3)
+    far = gpd.GeoSeries([Point(0, 0)], crs="EPSG:32635")
+    with pytest.raises(InputError, match="centroid"):
+        resolve_ignitions(network, far, mode="density", n_runs=3, seed=3)
