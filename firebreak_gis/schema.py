@@ -47,6 +47,8 @@ class Variable:
         Value for "no data" in files.
     classes
         Meaning of each code, for class variables.
+    along
+        Dimension along which a simulation gives several such planes, each of which is written by itself.
     colours
         "#rrggbb" per class code, or a ramp (low to high) under keys 0, 1, 2, ... for continuous ones.
     """
@@ -61,6 +63,7 @@ class Variable:
     nodata: float | None = None
     classes: Mapping[int, str] = field(default_factory=dict)
     colours: Mapping[int, str] = field(default_factory=dict)
+    along: str = ""
 
     @property
     def bands(self) -> tuple[str, ...]:
@@ -127,19 +130,20 @@ _VARIABLES = (
              colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
     Variable("burn_frequency", ("y", "x"), "float32", "1", "share of runs in which the cell burns", 0.0, 1.0,
              -9999.0, colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
-    Variable("burnt_by", ("time", "y", "x"), "float32", "1", "share of runs in which the cell has burnt by then", 0.0,
-             1.0, -9999.0, colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
-    Variable("arrival_time", ("quantile", "y", "x"), "float32", "s",
+    Variable("burnt_by", ("y", "x"), "float32", "1", "share of runs in which the cell has burnt by then", 0.0,
+             1.0, -9999.0, colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026"), along="time"),
+    Variable("arrival_time", ("y", "x"), "float32", "s",
              "time from the start of the fire to its arrival, where it arrives", 0.0, None, -9999.0,
-             colours=_ramp("#800026", "#e31a1c", "#fd8d3c", "#fecc5c", "#c7e9b4", "#41b6c4", "#225ea8")),
-    Variable("arrival", ("run", "y", "x"), "uint32", "s", "time from the start of the fire to its arrival in one run",
-             0, 4294967294, 4294967295, colours=_ramp("#800026", "#fd8d3c", "#c7e9b4", "#225ea8")),
-    Variable("burnt_in_class", ("size_from", "y", "x"), "float32", "1",
+             colours=_ramp("#800026", "#e31a1c", "#fd8d3c", "#fecc5c", "#c7e9b4", "#41b6c4", "#225ea8"),
+             along="quantile"),
+    Variable("arrival", ("y", "x"), "uint32", "s", "time from the start of the fire to its arrival in one run",
+             0, 4294967294, 4294967295, colours=_ramp("#800026", "#fd8d3c", "#c7e9b4", "#225ea8"), along="run"),
+    Variable("burnt_in_class", ("y", "x"), "float32", "1",
              "share of runs in which the cell burns in a fire of this size class", 0.0, 1.0, -9999.0,
-             colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026")),
-    Variable("flame_exceedance", ("flame_length", "y", "x"), "float32", "1",
+             colours=_ramp("#ffffb2", "#fecc5c", "#fd8d3c", "#e31a1c", "#800026"), along="size_from"),
+    Variable("flame_exceedance", ("y", "x"), "float32", "1",
              "share of runs in which fire comes to the cell with longer flames", 0.0, 1.0, -9999.0,
-             colours=_ramp("#fff5eb", "#fdae6b", "#f16913", "#8c2d04")),
+             colours=_ramp("#fff5eb", "#fdae6b", "#f16913", "#8c2d04"), along="flame_length"),
     Variable("fire_paths", ("y", "x"), "float32", "1",
              "cells that fire goes on to by way of this cell, mean over the runs", 0.0, None, -9999.0,
              colours=_ramp("#fcfdbf", "#fe9f6d", "#de4968", "#8c2981", "#000004")),

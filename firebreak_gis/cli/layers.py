@@ -135,7 +135,9 @@ def checked_fires(request: FireRequest, network: SpreadNetwork, session: Session
     from firebreak_gis.simulation.fires import resolved
     from firebreak_gis.simulation.ignitions import ignition_places
 
-    places = ignition_places(network, request.ignitions, outside=request.ignitions_outside)
+    places = ignition_places(
+        network, request.ignitions, outside=request.ignitions_outside, times=request.ignition_times
+    )
     for sentence in places.notes:
         session.say(sentence)
     request = replace(request, ignitions=places)

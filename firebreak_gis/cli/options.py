@@ -114,7 +114,8 @@ def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -
     from firebreak_gis.rasters import read_header, variable_bands
 
     try:
-        source = given["network"] if "network" in given else Path(given["folder"]) / "elevation.tif"
+        place = Path(given.get("network") or given["folder"])
+        source = str(place / "elevation.tif" if "folder" in given or place.is_dir() else place)
         rows, cols = read_header(source, band=1).shape
         clock = bool(given.get("clock")) or "travel_time" in variable_bands(source)
     except InputError:
@@ -242,10 +243,11 @@ def fires(command: F) -> F:
         ),
         click.option(
             "--ignition-mode",
-            type=click.Choice(["each", "all"]),
+            type=click.Choice(["each", "all", "density"]),
             default="each",
             show_default=True,
-            help="With points or polygons: runs take them in turn (the seed draws the order), or start at all of them.",
+            help="With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or "
+            "start where such fires of the past are dense.",
         ),
         click.option(
             "--ignitions-outside",

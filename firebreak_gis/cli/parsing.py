@@ -179,3 +179,45 @@ def _layer_values(words: Iterable[str], option: str, kind: Callable[[str], Any])
         except ValueError:
             raise ParameterError(f"{option} {layer} is {text!r}, expected a number") from None
     return result
+
+
+def times(text: Any, option: str) -> list[float]:
+    """Split "2h,4h" into rising seconds."""
+    from firebreak_gis.simulation.durations import as_seconds
+
+    found = sorted({as_seconds(word, option) for word in str(text).split(",") if word.strip()})
+    if not found or found[0] <= 0:
+        raise ParameterError(f"{option} is {text!r}, expected times such as 2h,4h,8h")
+    return found
+
+
+def duration(text: Any, option: str) -> Any:
+    """Read how long fires burn, see `simulation.durations`."""
+    from firebreak_gis.simulation.durations import as_duration
+
+    return as_duration(text, option)
+
+
+def hold(text: Any, option: str) -> Any:
+    """Read how breaks hold, see `simulation.holding`."""
+    from firebreak_gis.simulation.holding import as_hold
+
+    return as_hold(text, option)
+
+
+def embers(text: Any, option: str) -> Any:
+    """Read embers, see `simulation.embers`."""
+    from firebreak_gis.simulation.embers import as_embers
+
+    return as_embers(text, option)
+
+
+def share(text: Any, option: str) -> float:
+    """Read a share from 0 to 1."""
+    try:
+        number = float(text)
+    except ValueError:
+        number = -1.0
+    if not 0.0 <= number <= 1.0:
+        raise ParameterError(f"{option} is {text!r}, expected a share from 0 to 1")
+    return number

@@ -7,6 +7,7 @@ import json
 import os
 import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -54,8 +55,8 @@ def write_raster(
     path
         Target, usually named .tif.
     data
-        Named as in `schema.VARIABLES`, with its dims, on a `Grid`. NaN is written as "no data", and so
-        is -inf in `priority`. The variables of a dataset become the bands of one file, one after another;
+        Named as in `schema.VARIABLES`, with its dims, on a `Grid`. NaN is written as "no data",
+        and so is -inf in `priority`. The variables of a dataset become the bands of one file, one after another;
         they must have the type and the "no data" value in common.
     overwrite
         Whether an existing file may be replaced.
@@ -137,6 +138,10 @@ def _variable_of(data: xr.DataArray) -> Variable:
     variable = VARIABLES.get(str(data.name))
     if variable is None:
         raise InputError(f"{data.name!r} is not a variable of the schema; expected one of {', '.join(VARIABLES)}")
+    if variable.along in data.coords and data.coords[variable.along].ndim == 0:
+        where = data.coords[variable.along]
+        place = f"{variable.along.replace('_', ' ')} {where.item():g} {where.attrs.get('units', '1')}"
+        variable = replace(variable, text=f"{variable.text} ({place.removesuffix(' 1')})")
     if data.dims != variable.dims or variable.dims[-2:] != ("y", "x"):
         raise InputError(f"{variable.name} has dims {data.dims}, expected {variable.dims} with y and x last")
     if variable.dims[0] == "direction" and data.sizes["direction"] != len(DIRECTIONS):

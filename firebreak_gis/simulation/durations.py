@@ -12,7 +12,6 @@ from typing import Any, Final, Literal
 import numpy as np
 
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.kernels.draws import run_keys, uniforms
 
 #: Limit of a run that ends by itself [s].
 ENDLESS: Final = 1 << 62
@@ -74,6 +73,8 @@ class Duration:
         if self.kind in ("fixed", "turns"):
             times = np.array([ENDLESS if math.isinf(t) else round(t) for t in self.values], np.int64)
             return np.asarray(times[np.arange(first_run, first_run + n_runs) % times.size])
+        from firebreak_gis.kernels.draws import run_keys, uniforms
+
         shares = [uniforms(key, 1)[0] for key in run_keys(seed, "durations", n_runs, first_run)]
         if self.kind == "uniform":
             low, high = self.values

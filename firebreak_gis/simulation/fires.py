@@ -139,7 +139,7 @@ def simulate(
         seed,
         residual,
         duration=None if duration is None else as_duration(duration),
-        hold=as_hold(hold),
+        hold=None if hold is None else as_hold(hold),
         barriers_hold=barriers_hold,
         embers=as_embers(embers),
         ignition_times=ignition_times,
@@ -177,6 +177,8 @@ def burn(
     worth = None if value is None else checked_amounts(network, value, "value").ravel()
     plain = request.timeless and weather is None and barriers is None
     asked = products or Products()
+    if asked.needs_times:
+        network.require_times("when fire comes")
     if plain:
         span = progress if products is None else part(progress, 0.0, 0.5)
         counts, sizes, lost = burn_all(network, request, start, breaks, worth, threads, span)

@@ -91,7 +91,7 @@ class Hold:
 
 
 def as_hold(given: Any, what: str = "hold") -> Hold:
-    """Read how breaks hold: a share, the word flame (or flame:flames for the rule of flame lengths), or a `Hold`.
+    """Read how breaks hold: "0.47", "0.47:800" with the length of stretches [m], "flame", "flame:flames", or a `Hold`.
 
     Raises
     ------
@@ -107,10 +107,15 @@ def as_hold(given: Any, what: str = "hold") -> Hold:
         return Hold(share=None)
     if word == "flame:flames":
         return Hold(share=None, rule="flames")
+    share, colon, length = word.partition(":")
     try:
-        return Hold(share=float(word))
+        numbers = float(share), float(length) if colon else Hold.length
     except ValueError:
-        raise ParameterError(f"{what} is {given!r}, expected a share from 0 to 1, flame or flame:flames") from None
+        raise ParameterError(
+            f"{what} is {given!r}, expected a share from 0 to 1, perhaps with the length of a stretch in metres "
+            "(0.47:800), flame or flame:flames"
+        ) from None
+    return Hold(*numbers)
 
 
 def breach(intensity: np.ndarray | float, width: np.ndarray | float, *, trees: np.ndarray | bool) -> np.ndarray:

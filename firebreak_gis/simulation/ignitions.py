@@ -253,7 +253,9 @@ def _lit_at(times: Any, frame: gpd.GeoDataFrame | None, n: int) -> np.ndarray:
     else:
         seconds = np.asarray(times, dtype=np.float64).ravel()
     if seconds.size != n or not ((seconds >= 0) & (seconds < 2.0**32)).all():
-        raise InputError(f"the times of the ignitions are {seconds.size} numbers, expected {n}, none missing or below 0")
+        raise InputError(
+            f"the times of the ignitions are {seconds.size} numbers, expected {n}, none missing or below 0"
+        )
     return np.rint(seconds).astype(np.uint64)
 
 

@@ -68,9 +68,9 @@ class Products:
             )
 
     @property
-    def needs_parents(self) -> bool:
-        """Whether it matters by which way fire comes to a cell."""
-        return self.paths or bool(self.flame_lengths)
+    def needs_times(self) -> bool:
+        """Whether it matters when fire comes."""
+        return self.arrivals or bool(self.by or self.quantiles or self.flame_lengths)
 
     def edges(self, longest: int) -> np.ndarray:
         """Ends of the bins of arrival times [s], (n_bins,) uint64, rising; `longest` is the longest duration [s]."""

@@ -8,7 +8,7 @@ on, so none of them needs to know.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from firebreak_gis.simulation.holding import Hold
@@ -44,7 +44,7 @@ class FireRequest:
     duration
         How long fires burn; None: until they end by themselves.
     hold
-        How often stretches of a break hold.
+        How often stretches of a break hold; None: always.
     barriers_hold
         How often stretches of a barrier hold, where barriers are given that may fail.
     embers
@@ -61,7 +61,7 @@ class FireRequest:
     seed: int = 0
     residual: float = 0.0
     duration: Duration | None = None
-    hold: Hold = field(default_factory=Hold)
+    hold: Hold | None = None
     barriers_hold: float = 1.0
     embers: Embers | None = None
     ignitions_outside: Outside = "refuse"
@@ -71,7 +71,27 @@ class FireRequest:
     def timeless(self) -> bool:
         """Whether nothing is asked but fires that end by themselves and breaks that do not fail by stretches."""
         endless = self.duration is None or self.duration.endless
-        return endless and self.hold.perfect and self.embers is None
+        return endless and self.holding.perfect and self.embers is None
+
+    @property
+    def holding(self) -> Hold:
+        """How breaks hold."""
+        return Hold() if self.hold is None else self.hold
+
+    @property
+    def needs_times(self) -> bool:
+        """Whether the network must tell how long fire takes."""
+        endless = self.duration is None or self.duration.endless
+        return not endless or self.embers is not None or self.holding.share is None
+
+    @property
+    def assumptions(self) -> list[str]:
+        """What is assumed of the fires beside the spread model, in words, for accounts and pictures."""
+        told = [f"fires burn {self.duration.told()}"] if self.duration else ["fires burn until they end by themselves"]
+        told += [self.holding.told()] if not self.holding.perfect else []
+        told += [f"barriers hold in {self.barriers_hold:.3g} of fires"] if self.barriers_hold < 1 else []
+        told += [f"breaks that hold keep {self.residual:.3g} of the spread probability"] if self.residual else []
+        return told + ([self.embers.told()] if self.embers else [])
 
     @property
     def sources(self) -> tuple[str, ...]:

@@ -133,7 +133,7 @@ def burn_timed(
             keys["hold"],
             breaks=breaks,
             residual=request.residual,
-            hold=request.hold,
+            hold=request.holding,
             barriers=barriers,
             barriers_hold=request.barriers_hold,
             intensity=intensity,
@@ -175,7 +175,7 @@ def _burn_piece(
 
 def _intensity(group: Group, request: FireRequest, products: Products) -> np.ndarray | None:
     """Intensity of the fastest fire of each cell, the mean over the steps, where it is needed."""
-    if request.hold.share is not None and not products.flame_lengths:
+    if request.holding.share is not None and not products.flame_lengths:
         return None
     what = "flame lengths" if products.flame_lengths else "hold by flames"
     group.network.require_times(what)

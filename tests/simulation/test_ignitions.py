@@ -9,7 +9,9 @@ from shapely.geometry import LineString, MultiPoint, MultiPolygon, Point, box
 
 from firebreak_gis import SpreadNetwork, simulate, write_vector
 from firebreak_gis.errors import InputError, ParameterError
+from firebreak_gis.lattice import NEVER
 from firebreak_gis.simulation.ignitions import ignition_places, resolve_ignitions
+from firebreak_gis.simulation.products import Products
 from tests.places import write
 
 UTM = {"crs": "EPSG:32635", "transform": Affine(20, 0, 586_440, 0, -20, 3_999_900)}

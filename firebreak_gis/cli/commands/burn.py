@@ -1,18 +1,24 @@
-"""firebreak burn: a spread network and perhaps breaks in, burn frequency out."""
+"""firebreak burn: a spread network or a landscape in, and perhaps breaks; burn frequency and what is asked out."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, outputs
-from firebreak_gis.cli.layers import checked_fires, read_breaks
+from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, weather_options
+from firebreak_gis.cli.layers import checked_fires, input_files, read_breaks
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.request import FireRequest
+
+if TYPE_CHECKING:
+    from firebreak_gis.simulation.products import Products
 
 
 @click.command("burn")
@@ -25,47 +31,95 @@ from firebreak_gis.simulation.request import FireRequest
     metavar="PATH",
     help="Cut cells: a raster (firebreak breaks), or own breaks as polygons or lines.",
 )
+@click.option(
+    "--barriers",
+    type=kinds.VECTOR_OR_RASTER,
+    metavar="PATH",
+    help="Roads, rivers and the like on ground that the network holds as fuel; they stop fire as --barriers-hold says.",
+)
 @click.option("--sizes", type=kinds.NEW_TABLE, metavar="FILE", help="Also write the fire sizes as CSV.")
 @options.residual
 @options.fires
+@fire_options.clock
+@fire_options.holding
+@weather_options.weather
+@weather_options.spread
+@fire_options.products
 @filters.where
 @options.seed
 @options.fitting("burn")
 @options.common
-@built(output=OutputRequest, fires=FireRequest)
+@built(output=OutputRequest, fires=FireRequest, spread=SpreadRequest, weather=WeatherRequest)
 def command(
-    session: Session, network: str, output: OutputRequest, fires: FireRequest, mask: str | None, sizes: str | None
+    session: Session,
+    network: str,
+    output: OutputRequest,
+    fires: FireRequest,
+    spread: SpreadRequest,
+    weather: WeatherRequest,
+    mask: str | None,
+    barriers: str | None,
+    sizes: str | None,
+    products: str | None,
+    **asked: Any,
 ) -> None:
     """Burn NETWORK many times and write how often each cell burns.
+
+    NETWORK is a file made by network, or the folder of a landscape made by align, with --wind-speed or --weather.
 
     With the same --seed the fires are the same with and without --breaks, so their difference is the breaks'
     work alone.
     """
     from firebreak_gis.files import require_writable, together, write_text
+    from firebreak_gis.landscape.masks import mask_plane
+    from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.manifest import provenance
+    from firebreak_gis.planning.scene import read_scene
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.simulation.fires import burn
-    from firebreak_gis.spread.raster import read_network
+    from firebreak_gis.simulation.writing import product_files, size_table, write_products
 
-    inputs = files_behind(filter(None, (network, mask, *fires.sources)))
+    folder = Path(network)
+    given = [str(file) for file in folder.glob("*.tif")] if folder.is_dir() else [network]
+    given += input_files([*spread.sources, *weather.sources])
+    inputs = files_behind(filter(None, (*given, mask, barriers, *fires.sources)))
     files = [output.output] + ([sizes] if sizes else [])
     for name in files:
         require_writable(name, overwrite=output.overwrite, forbid=inputs)
-    untouched = read_network(network)
+    account = Account()
+    clock = fires.needs_times or products is not None
+    untouched, networks = read_scene(network, spread, weather, clock=clock, account=account)
+    for sentence in account.warnings:
+        session.warn(sentence)
+    kept = _products(asked, heat=untouched.heat is not None) if products else None
+    if products and kept:
+        untouched.require_times("--products")
+        Path(products).mkdir(parents=True, exist_ok=True)
+        made = [str(Path(products) / name) for name in product_files(kept, referenced=untouched.grid.crs is not None)]
+        for name in made:
+            require_writable(name, overwrite=output.overwrite, forbid=inputs)
     burns = burn(
         untouched,
         checked_fires(fires, untouched, session),
         breaks=read_breaks(mask, untouched.grid, session) if mask else None,
+        barriers=mask_plane(barriers, untouched.grid, what="barriers", rule="touched", solid=True)
+        if barriers
+        else None,
+        weather=networks,
+        products=kept,
         progress=part(session.progress, 0.05, 0.95),
     )
+    assumptions = [*fires.assumptions, *(_told(weather.weather, networks) if networks else [])]
     # What makes no difference is not told, so that equal fires have equal files as fields are added.
     usual = ("ignitions", "ignition_mode", "n_runs", "residual")
     default = asdict(FireRequest(seed=fires.seed))
     told = {key: value for key, value in asdict(fires).items() if key in usual or value != default[key]}
     tags = provenance({**told, "breaks": mask is not None}, seed=fires.seed)
+    if not fires.timeless or networks:
+        tags["assumptions"] = "; ".join(assumptions)
     cells = burns["fire_size"].to_numpy()
-    with together(*(Path(name).parent for name in files)):
+    with together(*(Path(name).parent for name in [output.output, *([sizes] if sizes else [])])):
         write_raster(
             output.output,
             burns["burn_frequency"],
@@ -75,11 +129,47 @@ def command(
             creation_options=output.creation_options,
         )
         if sizes:
-            table = burns["fire_size"].to_dataframe(name="cells").reset_index()
-            table["ha"] = (table["cells"] * untouched.grid.cell_area_ha).round(6)
-            write_text(sizes, table.to_csv(index=False, lineterminator="\n"), overwrite=output.overwrite)
+            text = size_table(burns, untouched.grid).to_csv(index=False, lineterminator="\n")
+            write_text(sizes, text, overwrite=output.overwrite)
+    if products:
+        files += write_products(
+            products,
+            burns,
+            untouched.grid,
+            provenance=tags,
+            overwrite=output.overwrite,
+            forbid=inputs,
+            creation_options=output.creation_options,
+        )
     share = cells.mean() / untouched.n_burnable
+    hectares = cells * untouched.grid.cell_area_ha
     session.finish(
-        {"files": files, "mean_burnt_share": share, "max_burnt_share": cells.max() / untouched.n_burnable},
-        f"{cells.size} runs, mean burnt share {100 * share:.1f} %; written to {', '.join(files)}",
+        {
+            "files": files,
+            "mean_burnt_share": share,
+            "max_burnt_share": cells.max() / untouched.n_burnable,
+            "mean_ha": float(hectares.mean()),
+            "max_ha": float(hectares.max()),
+            "assumptions": assumptions,
+        },
+        f"{cells.size} runs, mean burnt share {100 * share:.1f} %, mean fire {hectares.mean():.4g} ha; "
+        f"{'; '.join(assumptions)}; written to {', '.join(files)}",
     )
+
+
+def _products(asked: dict[str, Sequence[float]], *, heat: bool) -> Products:
+    from firebreak_gis.simulation.products import Products
+
+    return Products(
+        by=tuple(asked["by"]),
+        quantiles=(0.1, 0.5),
+        size_classes=tuple(asked["size_classes"]),
+        flame_lengths=tuple(asked["flame_lengths"]) if heat else (),
+        paths=True,
+    )
+
+
+def _told(source: str | None, networks: Any) -> list[str]:
+    found = networks.weather.describe()
+    n = found["weathers"]
+    return [f"weather of {source}: {n} of mean wind {found['mean_wind_speed']:g} m/s, drawn by their weights"]

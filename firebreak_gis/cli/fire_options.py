@@ -1,0 +1,104 @@
+"""Options of fires with a clock, embers and breaks that fail; `simulation.request.FireRequest` has their fields."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import click
+
+from firebreak_gis.cli import kinds
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def clock(command: F) -> F:
+    """--duration, --ignition-times, --embers."""
+    return _apply(
+        [
+            click.option(
+                "--duration",
+                type=kinds.DURATION,
+                metavar="TIME",
+                help="How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and "
+                "sigma), uniform:2h,12h, or weather [default: until they end by themselves].",
+            ),
+            click.option(
+                "--ignition-times",
+                metavar="COLUMN",
+                help="Column of the ignitions that tells when each is lit, in hours after the start of the run.",
+            ),
+            click.option(
+                "--embers",
+                type=kinds.EMBERS,
+                metavar="on|NAME=VALUE,...",
+                help="Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the "
+                "assumed ones.",
+            ),
+        ],
+        command,
+    )
+
+
+def holding(command: F) -> F:
+    """--hold and --barriers-hold."""
+    return _apply(
+        [
+            click.option(
+                "--hold",
+                type=kinds.HOLD,
+                metavar="SHARE|flame",
+                help="How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and "
+                "the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, "
+                "or as in 0.47:800 [default: always].",
+            ),
+            click.option(
+                "--barriers-hold",
+                type=kinds.SHARE_OF_RUNS,
+                default=1.0,
+                show_default=True,
+                help="How often a stretch of the barriers holds in a run, apart from the breaks.",
+            ),
+        ],
+        command,
+    )
+
+
+def products(command: F) -> F:
+    """--products and what goes into it."""
+    return _apply(
+        [
+            click.option(
+                "--products",
+                type=click.Path(file_okay=False),
+                metavar="DIR",
+                help="Also write, into this folder: how often each cell has burnt by --by, median and 10 % arrival "
+                "time, isochrones, how often it burns in fires of each of --size-classes and with flames above "
+                "--flame-lengths, the main paths of the fire, and the table of fires.",
+            ),
+            click.option(
+                "--by", type=kinds.TIMES, default="2h,4h,8h,24h", show_default=True, help="Times for --products."
+            ),
+            click.option(
+                "--size-classes",
+                type=kinds.NUMBERS,
+                default="10,100,1000",
+                show_default=True,
+                help="Limits of the classes of fire sizes for --products, in hectares.",
+            ),
+            click.option(
+                "--flame-lengths",
+                type=kinds.NUMBERS,
+                default="1.2,2.5,3.5",
+                show_default=True,
+                help="Flame lengths for --products, in metres; left out if the network knows no heat.",
+            ),
+        ],
+        command,
+    )
+
+
+def _apply(options: list[Callable[[Any], Any]], command: F) -> F:
+    for option in reversed(options):
+        command = option(command)
+    return command
