@@ -52,7 +52,7 @@ def test_products_are_those_of_simulate(folder):
             "--embers", "rate=500", "--hold", "0.47:200", "--ignitions", folder / "start.gpkg", "--runs", 60,
             "--products", folder / "products", "--by", "30min,2h", "--size-classes", "1,5", "--flame-lengths", "1,3",
             "--sizes", folder / "sizes.csv", "--seed", 4, "--json",
-        ).output
+        ).stdout
     )["result"]  # fmt: skip
     names = {
         "burnt_by_30min.tif", "burnt_by_2h.tif", "arrival_time_10.tif", "arrival_time_50.tif", "burnt_from_0_ha.tif",

@@ -245,7 +245,7 @@ def test_past_fires_make_a_density(tmp_path):
     assert near_east == pytest.approx(0.25, abs=0.05)
     assert near_west == pytest.approx(0.75, abs=0.05)
     with pytest.raises(ParameterError, match="past fires"):
-        resolve_ignitions(network, [centre(network, 3, 3)], mode="density", n_runs=3, seed=3)
+        resolve_ignitions(network, np.ones(network.shape), mode="density", n_runs=3, seed=3)
     far = gpd.GeoSeries([Point(0, 0)], crs="EPSG:32635")
-    with pytest.raises(InputError, match="centroid"):
+    with pytest.raises(InputError, match="outside the grid"):
         resolve_ignitions(network, far, mode="density", n_runs=3, seed=3)
