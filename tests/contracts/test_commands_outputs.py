@@ -42,7 +42,7 @@ GIVEN = {
     "fit": "rate",
 }
 #: What the same name means elsewhere.
-OWN = {"calibrate": {"folder": "cases.csv"}}
+OWN = {"calibrate": {"folder": "cases.csv"}, "burn": {"duration": "inf"}}
 
 
 def walk(group, before=()):

@@ -119,28 +119,19 @@ def command(
     if not fires.timeless or networks:
         tags["assumptions"] = "; ".join(assumptions)
     cells = burns["fire_size"].to_numpy()
-    with together(*(Path(name).parent for name in [output.output, *([sizes] if sizes else [])])):
-        write_raster(
-            output.output,
-            burns["burn_frequency"],
-            overwrite=output.overwrite,
-            provenance=tags,
-            forbid=inputs,
-            creation_options=output.creation_options,
-        )
+    rasters: dict[str, Any] = {
+        "overwrite": output.overwrite,
+        "forbid": inputs,
+        "provenance": tags,
+        "creation_options": output.creation_options,
+    }
+    with together(*(Path(name).parent for name in files), *([Path(products)] if products else [])):
+        write_raster(output.output, burns["burn_frequency"], **rasters)
         if sizes:
             text = size_table(burns, untouched.grid).to_csv(index=False, lineterminator="\n")
             write_text(sizes, text, overwrite=output.overwrite)
-    if products:
-        files += write_products(
-            products,
-            burns,
-            untouched.grid,
-            provenance=tags,
-            overwrite=output.overwrite,
-            forbid=inputs,
-            creation_options=output.creation_options,
-        )
+        if products:
+            files += write_products(products, burns, untouched.grid, **rasters)
     share = cells.mean() / untouched.n_burnable
     hectares = cells * untouched.grid.cell_area_ha
     session.finish(
