@@ -57,7 +57,7 @@ def holding(command: F) -> F:
                 type=kinds.SHARE_OF_RUNS,
                 default=1.0,
                 show_default=True,
-                help="How often a stretch of the barriers holds in a run, apart from the breaks.",
+                help="Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.",
             ),
         ],
         command,
