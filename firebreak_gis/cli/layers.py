@@ -135,6 +135,12 @@ def checked_fires(request: FireRequest, network: SpreadNetwork, session: Session
     from firebreak_gis.simulation.fires import resolved
     from firebreak_gis.simulation.ignitions import ignition_places
 
+    left_out = network.provenance.get("left_out")
+    if left_out and (request.duration is None or request.duration.endless):
+        session.warn(
+            f"the network was made for fires with a clock: {left_out} act on its travel times alone, so fires "
+            "that burn until they end by themselves do not feel them; give a duration, or a network without --clock"
+        )
     places = ignition_places(
         network, request.ignitions, outside=request.ignitions_outside, times=request.ignition_times
     )

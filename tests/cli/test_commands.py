@@ -371,8 +371,10 @@ def test_network_with_a_clock(folder, tmp_path):
     assert "--clock needs travel times" in outcome.output
     outcome = run("network", folder / "land", "-o", tmp_path / "no.tif", "--clock", "--model", "artificial", code=2)
     assert "tells no times" in outcome.output
-    for command in (["rank", tmp_path / "timed.tif", "--method", "degree"], ["burn", tmp_path / "timed.tif"]):
-        run(*command, "-o", tmp_path / f"{command[0]}.tif")
+    run("rank", tmp_path / "timed.tif", "--method", "degree", "-o", tmp_path / "rank.tif")
+    outcome = run("burn", tmp_path / "timed.tif", "-o", tmp_path / "burn.tif")
+    assert "wind and slope act on its travel times alone" in outcome.output
+    assert "Warning" not in run("burn", folder / "network.tif", "-o", tmp_path / "plain.tif").output
 
 
 def test_weather_is_shown_as_it_is_read(tmp_path):
