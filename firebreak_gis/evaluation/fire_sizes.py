@@ -97,12 +97,19 @@ def share_within(growth: Growth, sizes: np.ndarray, durations: Durations) -> np.
     return _mean_normal(growth.log_time_of(sizes), durations)
 
 
-def sample_sizes(growth: Growth, durations: Durations, *, seed: int = 0, draws: int = 10) -> np.ndarray:
-    """Sizes of fires with drawn durations, (draws x n_runs,) ha."""
-    random = np.random.default_rng(seed)
+def sample_sizes(growth: Growth, durations: Durations, *, seed: int = 0, draws: int = 1000) -> np.ndarray:
+    """Sizes of fires with drawn durations, (draws x n_runs,) ha; each run gets durations from all the distribution.
+
+    Few of the many fires are large, so that it takes a thousand draws a run to tell their sizes.
+    """
+    from scipy.special import ndtri
+
     n_runs = growth.hectares.shape[0]
-    scores = random.standard_normal((draws, n_runs))
-    return np.concatenate([growth.at(durations.median * np.exp(durations.sigma * row)) for row in scores])
+    shift = np.random.default_rng(seed).random(n_runs)
+    sizes = [
+        growth.at(durations.median * np.exp(durations.sigma * ndtri((draw + shift) / draws))) for draw in range(draws)
+    ]
+    return np.concatenate(sizes)
 
 
 def fit_durations(growth: Growth, observed: np.ndarray, *, least: float, near: Durations | None = None) -> Durations:
@@ -230,27 +237,23 @@ def rate_factor(growth: Growth, hectares: np.ndarray, seconds: np.ndarray) -> fl
 def statistics(hectares: np.ndarray, *, least: float, large: float) -> dict[str, float]:
     """Median and 90 % percentile of the fires of at least `least` ha, and the share of all area in those of `large`."""
     sizes = np.asarray(hectares, dtype=np.float64)
-    counted = sizes[sizes >= least]
-    total = counted.sum()
+    counted, total = sizes[sizes >= least], sizes.sum()
     return {
         "median_ha": float(np.median(counted)) if counted.size else math.nan,
         "p90_ha": float(np.percentile(counted, 90)) if counted.size else math.nan,
-        "large_share": float(counted[counted >= large].sum() / total) if total else math.nan,
+        "large_share": float(sizes[sizes >= large].sum() / total) if total else math.nan,
     }
 
 
 def bootstrap(hectares: np.ndarray, *, least: float, large: float, seed: int = 0) -> dict[str, tuple[float, float]]:
-    """90 % intervals of `statistics` by resampling the fires of at least `least` ha (percentiles 5 and 95)."""
+    """90 % intervals of `statistics` by resampling all fires (percentiles 5 and 95)."""
     sizes = np.asarray(hectares, dtype=np.float64)
-    counted = sizes[sizes >= least]
-    if not counted.size:
+    if not (sizes >= least).any():
         raise InputError(f"no fire has {least:g} ha or more")
     random = np.random.default_rng(seed)
-    samples = [
-        statistics(counted[random.integers(0, counted.size, counted.size)], least=least, large=large)
-        for _ in range(_RESAMPLES)
-    ]
-    ends = {name: np.percentile([sample[name] for sample in samples], (5, 95)) for name in samples[0]}
+    picks = [random.integers(0, sizes.size, sizes.size) for _ in range(_RESAMPLES)]
+    samples = [statistics(sizes[pick], least=least, large=large) for pick in picks]
+    ends = {name: np.nanpercentile([sample[name] for sample in samples], (5, 95)) for name in samples[0]}
     return {name: (float(low), float(high)) for name, (low, high) in ends.items()}
 
 

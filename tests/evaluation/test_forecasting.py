@@ -208,3 +208,23 @@ def test_two_belgian_fires_beside_fires_that_know_nothing():
     found = calibrate_scars(cases, n_runs=20)
     assert found.table["size_ratio_left_out"].between(1 / 3, 3).all()
     assert (found.table["growth_iou"] > 0.2).all()
+
+
+@real
+def test_durations_of_one_half_of_monchiques_fires_foretell_the_other():
+    """Coarse cells and few runs: median and 90 % of the odd years' fires from those of the even years."""
+    import geopandas as gpd
+
+    from firebreak_gis.landscape import read_landscape
+    from firebreak_gis.landscape.scars import fire_table
+
+    land = read_landscape(shared("monchique_100m", "landscape_2003.lcp"), legend="fernandes", resolution=300.0)
+    fires = gpd.read_file(shared("monchique_100m", "perimeters.shp"))
+    even, odd = (fire_table(fires[fires["Year"] % 2 == rest]) for rest in (0, 1))
+    found = calibrate_sizes(land, even, weather="rose:N=4,NW=4,S=4,E=4", n_runs=60, moisture=0.06)
+    observed = fire_sizes.bootstrap(odd["ha"].to_numpy(), least=100.0, large=1000.0)
+    for name in ("median_ha", "p90_ha"):
+        low, high = observed[name]
+        assert low / 1.5 <= found.account["simulated"][name] <= 1.5 * high, name
+    assert (found.n_fires, found.n_parameters) == (14, 3)
+    assert 0.5 < found.account["rate_scale"] < 3.0
