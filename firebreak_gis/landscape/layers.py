@@ -14,8 +14,8 @@ from firebreak_gis.rasters.units import LENGTH, require_known, told
 
 #: Elevations in metres that exist on land; the deepest sea bed.
 HIGHEST, LOWEST, DEEPEST = 9000.0, -500.0, -12000.0
-#: A lowest value is asked about where nearly all steps up from it are higher than so many metres, and than so many
-#: times nearly all other steps from cell to cell: so are voids and collars that are not declared, and no shore.
+#: A lowest value is asked about where nearly all steps up from it are higher than so many metres, and most of them than
+#: so many times nearly all other steps from cell to cell: so are voids and collars that are not declared, and no shore.
 CLIFF, CLIFF_STEPS = 10.0, 2.0
 
 
@@ -80,12 +80,12 @@ def _ask_about_lowest(values: np.ndarray, header: Header) -> None:
         up.append(np.abs(one[edge] - other[edge]))
     steps = np.concatenate(up)
     steps = steps[~np.isnan(steps)]
-    if not steps.size or (cliff := float(np.percentile(steps, 5))) <= CLIFF:
+    if not steps.size or float(np.percentile(steps, 5)) <= CLIFF:
         return
     ground = np.where(values == low, np.float32(np.nan), values)
     others = np.concatenate([np.abs(np.diff(ground, axis=axis)).ravel() for axis in (0, 1)])
     others = others[others > 0]
-    if not others.size or cliff <= CLIFF_STEPS * float(np.percentile(others, 99)):
+    if others.size and float(np.median(steps)) <= CLIFF_STEPS * float(np.percentile(others, 99)):
         return
     inside = values == low
     above = values[~inside & ~np.isnan(values)]

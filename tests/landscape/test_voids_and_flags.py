@@ -76,6 +76,16 @@ def test_the_void_is_named_in_the_numbers_of_the_file(tmp_path, dtype):
     assert np.nanmin(landscape(tmp_path, heights, units="ft", src_nodata=-5)["elevation"]) > 199.0
 
 
+def test_a_hole_in_a_plain_and_a_collar_about_low_hills_are_asked_about(tmp_path):
+    plain = np.full((ROWS, COLS), 500, np.float32)
+    plain[20:30, 20:30] = 0
+    hills = relief(ROWS, COLS) / 3 + 20
+    hills[:9] = 0
+    for heights in (plain, hills):
+        with pytest.raises(InputError, match=r"is 0 m in .* cells"):
+            landscape(tmp_path, heights)
+
+
 def shores(seed=0):
     """Terrain that goes down to a sea of exactly 0, in several shapes."""
     heights = relief(ROWS, COLS, seed)
