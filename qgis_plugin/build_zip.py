@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import re
+import subprocess  # nosec B404 # pip is a program of its own
 import sys
 import zipfile
 from collections.abc import Mapping
@@ -108,6 +109,29 @@ def build(folder: Path, addresses: Mapping[str, str] | None = None, *, release: 
     return target
 
 
+def build_wheel(folder: Path) -> None:
+    """Put a wheel of the engine into a folder: what *Make engine* takes as its package.
+
+    Raises
+    ------
+    ReleaseError
+        If pip cannot build it.
+    """
+    command = [
+        sys.executable,
+        "-m",
+        "pip",
+        "wheel",
+        "--quiet",
+        "--no-deps",
+        "--wheel-dir",
+        str(folder),
+        str(HERE.parent),
+    ]
+    if subprocess.run(command, check=False).returncode != 0:
+        raise ReleaseError("pip could not build the wheel; its words are above")
+
+
 def main() -> None:
     """Run from the command line."""
     parser = argparse.ArgumentParser(description="Build the plugin's zip.")
@@ -117,6 +141,7 @@ def main() -> None:
     parser.add_argument("--homepage", help="by default the repository")
     parser.add_argument("--tracker", help="by default the repository with /issues")
     parser.add_argument("--email", help="of who answers")
+    parser.add_argument("--wheel", action="store_true", help="put a wheel of the engine beside the zip")
     given = vars(parser.parse_args())
     if given["repository"]:
         given["homepage"] = given["homepage"] or given["repository"]
@@ -124,6 +149,8 @@ def main() -> None:
     try:
         addresses = {key: given[key] for key in ADDRESSES if given[key]}
         print(build(given["output"], addresses, release=given["release"]))  # noqa: T201
+        if given["wheel"]:
+            build_wheel(given["output"])
     except ReleaseError as error:
         sys.exit(f"Error: {error}")
 

@@ -44,6 +44,12 @@ def _table(name: str, label: str, get: Callable[[Plan], pd.DataFrame]) -> Output
     return Output(name, label, write)
 
 
+def _evaluation_runs(plan: Plan) -> pd.DataFrame:
+    from firebreak_gis.evaluation.curves import runs_table
+
+    return runs_table(plan.evaluation)
+
+
 def _evaluation(plan: Plan) -> pd.DataFrame:
     from firebreak_gis.evaluation.curves import table
 
@@ -104,6 +110,7 @@ OUTPUTS: tuple[Output[Plan], ...] = (
     Output("compartments.gpkg", "Compartments between the breaks", _compartments, main=True),
     _table("fire_sizes.csv", "Size of every fire without and with the breaks", lambda plan: plan.fire_sizes),
     _table("evaluation.csv", "Burnt share at every budget", _evaluation),
+    _table("evaluation_runs.csv", "Cells burnt in every run of it", _evaluation_runs),
     Output("overview.png", "Picture of the plan", _overview),
     account("plan", _account),
 )

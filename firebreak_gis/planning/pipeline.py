@@ -138,6 +138,31 @@ class Plan:
         return pd.DataFrame(columns)
 
     @property
+    def cut_classes(self) -> dict[str, dict[str, dict[str, float]]]:
+        """By layer and class: its share of the cut cells, and of all fuel, which is what random cutting takes.
+
+        For `vegetation` and `density`, the classes that hold fuel; fuel that a legend gives effects counts under the
+        class nearest to them.
+        """
+        from firebreak_gis.schema import DENSITY, VEGETATION
+
+        fuel = self.network.burnable
+        cut = (self.breaks.to_numpy() > 0) & fuel
+        n_cut, n_fuel = max(int(np.count_nonzero(cut)), 1), max(self.network.n_burnable, 1)
+        found: dict[str, dict[str, dict[str, float]]] = {}
+        for layer, classes in (("vegetation", VEGETATION), ("density", DENSITY)):
+            codes = self.landscape[layer].to_numpy()
+            found[layer] = {
+                name: {
+                    "cut": int(np.count_nonzero(codes[cut] == code)) / n_cut,
+                    "random": int(np.count_nonzero(codes[fuel] == code)) / n_fuel,
+                }
+                for code, name in classes.items()
+                if code
+            }
+        return found
+
+    @property
     def summary(self) -> dict[str, Any]:
         """Key figures as plain numbers."""
         n_burnable = self.network.n_burnable
@@ -156,6 +181,7 @@ class Plan:
             "burnt_share_with_breaks_p90": float(np.percentile(after, 90) / n_burnable),
             "burnt_share_with_breaks_max": float(after.max() / n_burnable),
         }
+        figures["cut_classes"] = self.cut_classes
         lost = self.after["value_lost"] if "value_lost" in self.after else self.after["fire_size"]
         figures["judged"] = judge(
             after,

@@ -4,8 +4,9 @@ The score of a cell is the sum over ordered pairs of other cells of the share of
 pass through it. An edge l -> k is 1 / p(l -> k) long. Turning all edges round changes nothing, so there is no
 orientation.
 
-Lengths are rounded to multiples of 2**-24, so that routes of equal length tie exactly; tied routes share the pair
-equally, however many there are. Pairs without a route count nothing; cells on no route have 0.
+Lengths are rounded to multiples of 2**-24, so that their sums are exact and routes over the same lengths in any order
+tie; tied routes share the pair equally, however many there are. Routes that would be equally long before the rounding,
+over other lengths, need not tie after it. Pairs without a route count nothing; cells on no route have 0.
 
 Exact up to 20,000 burnable cells. Beyond, sources are sampled until, with probability 1 - delta, the error of every
 cell is at most epsilon of the n (n - 1) ordered pairs; the draws belong to cells of the grid, so the estimate of a

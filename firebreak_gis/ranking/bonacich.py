@@ -1,8 +1,9 @@
 """Bonacich power centrality: cells through which fire reaches cells that are easily reached themselves.
 
 x = (I - beta / lambda_max A)^-1 A 1, where a_lk is the probability that l lights k and lambda_max is the largest
-eigenvalue of A. beta sets how far a cell looks: 0 is the degree, towards 1 the eigenvector. `in` uses A transposed
-(how fire arrives; the orientation of the paper), `out` uses A (how fire leaves).
+eigenvalue of A. beta sets how far a cell looks: 0 is the degree; towards 1 x grows without bound in the direction of
+the eigenvector, which is what beta = 1 returns (largest entry 1). `in` uses A transposed (how fire arrives; the
+orientation of the paper), `out` uses A (how fire leaves).
 
 lambda_max is enclosed between two bounds and the solution is accurate to 1e-10 in every cell. A network of several
 islands has one lambda_max, that of the strongest. A network without cycles has lambda_max = 0: the formula has no
@@ -39,10 +40,9 @@ class Params:
 
     beta: float = parameter(
         0.5,
-        text="how far a cell looks: 0 is the degree, towards 1 the eigenvector",
+        text="how far a cell looks: 0 is the degree, 1 the eigenvector",
         minimum=0.0,
         maximum=1.0,
-        open_maximum=True,
     )
     orientation: str = parameter(
         "in", text="whether fire arriving at the cell (in) or leaving it (out) counts", choices=("in", "out")
@@ -81,13 +81,20 @@ def rank(
 
 def _scores(network: SpreadNetwork, params: Params, progress: Progress) -> np.ndarray:
     from firebreak_gis.kernels.linear import katz
-    from firebreak_gis.kernels.spectrum import spectral_radius
+    from firebreak_gis.kernels.spectrum import perron_vector, spectral_radius
 
     attenuation = 0.0
     if params.beta > 0.0:
         radius = spectral_radius(
             network.probability, boundary=network.boundary, progress=part(progress, 0.0, 0.5)
         ).upper
+        if params.beta == 1.0 and radius > 0.0:
+            return perron_vector(
+                network.probability,
+                boundary=network.boundary,
+                transpose=params.orientation == "in",
+                progress=part(progress, 0.5, 1.0),
+            )
         attenuation = params.beta / radius if radius > 0.0 else 0.0
     solution = katz(
         network.probability,

@@ -3,7 +3,8 @@
 The score is r / (n - 1) * r / (sum of distances) over the r of n - 1 other burnable cells that have a route; where
 every cell has one this ranks as 1 / (sum of distances). The first factor keeps small islands, whose distances are
 short, from coming first (Wasserman, Faust 1994, p. 200). A cell with no route has 0. An edge l -> k is
-1 / p(l -> k) long. `in` takes routes to the cell (how soon fire arrives), `out` routes from it.
+1 / p(l -> k) long. `in` takes routes to the cell (how soon fire arrives), `out` routes from it. The default `in` is a
+choice, as for the other centralities: the words of the paper, the distance from a node to all others, say `out`.
 
 Cost: a search a burnable cell, about 35 ns a cell each, so it grows with the square of the cells; memory 32 B a cell
 and about 60 B a cell and thread.

@@ -22,21 +22,25 @@ class MakeEngineTask(QgsTask):
         Interpreter to make it from, None to look for one.
     package
         What pip shall install.
+    proxy
+        Through which pip reaches the index, empty for none.
     """
 
     said = pyqtSignal(str)
     ended = pyqtSignal(str)
 
-    def __init__(self, folder: Path, base: Path | None, package: str) -> None:
+    def __init__(self, folder: Path, base: Path | None, package: str, proxy: str) -> None:
         super().__init__(QCoreApplication.translate("Firebreak", "Making the engine of Firebreak"))
-        self._arguments = (folder, base, package)
+        self._arguments = (folder, base, package, proxy)
         self._text = ""
 
     def run(self) -> bool:
         """Do the work, on a thread of QGIS."""
-        folder, base, package = self._arguments
+        folder, base, package, proxy = self._arguments
         try:
-            version = make_engine(folder, base=base, package=package, report=self._report, cancelled=self.isCanceled)
+            version = make_engine(
+                folder, base=base, package=package, proxy=proxy, report=self._report, cancelled=self.isCanceled
+            )
         except (EngineError, EngineCancelledError, OSError) as error:
             self._text = str(error)
             return False

@@ -92,7 +92,8 @@ class OptionsPage(QgsOptionsPageWidget):
             translate(
                 "Firebreak",
                 "Makes a Python environment in your QGIS profile, about 900 MB, and installs firebreak_gis into it: "
-                "from the package index, or from the path of a clone or a wheel. The Python of QGIS is left alone. "
+                "from the package index (through the proxy of QGIS), or from the path of a clone or a wheel. The "
+                "Python of QGIS is left alone, and an engine made before stays until the new one answers. "
                 "Nothing is installed until you press the button.",
             )
         )
@@ -140,7 +141,7 @@ class OptionsPage(QgsOptionsPageWidget):
         base = self._base.filePath().strip()
         self._log.clear()
         self._task = MakeEngineTask(
-            settings.made_folder(), Path(base) if base else None, settings.package_setting(PACKAGE)
+            settings.made_folder(), Path(base) if base else None, settings.package_setting(PACKAGE), settings.proxy()
         )
         self._task.said.connect(self._log.appendPlainText)
         self._task.progressChanged.connect(lambda percent: self._bar.setValue(int(percent)))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from qgis.core import QgsApplication, QgsSettings
 
+from .engine.environment import proxy_address
 from .engine.lookup import Engine, Places, find_engine
 
 _ENGINE = "firebreak/engine"
@@ -30,6 +31,23 @@ def package_setting(default: str) -> str:
 def set_package_setting(package: str) -> None:
     """Keep what pip shall install."""
     QgsSettings().setValue(_PACKAGE, package)
+
+
+def proxy() -> str:
+    """Return the address of the proxy that QGIS is set to use, empty for none."""
+    kept = QgsSettings()
+
+    def value(key: str) -> str:
+        return str(kept.value(f"proxy/{key}", "") or "")
+
+    return proxy_address(
+        enabled=value("proxyEnabled"),
+        kind=value("proxyType"),
+        host=value("proxyHost"),
+        port=value("proxyPort"),
+        user=value("proxyUser"),
+        password=value("proxyPassword"),
+    )
 
 
 def made_folder() -> Path:

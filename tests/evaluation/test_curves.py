@@ -226,3 +226,13 @@ def test_fires_that_do_not_differ_are_ranked_by_pratts_method(seed):
     assert p == pytest.approx(signed_rank_by_pratt(difference.tolist()), rel=1e-9)
     for method in ("wilcox", "zsplit"):
         assert p != pytest.approx(stats.wilcoxon(difference, zero_method=method, method="approx").pvalue, rel=1e-3)
+
+
+@pytest.mark.parametrize("orientation", ["in", "out"])
+def test_bonacich_with_beta_1_is_the_eigenvector(network, orientation):
+    """And the scores with beta just below it lie in that direction."""
+    one = rank(network, "bonacich", beta=1.0, orientation=orientation).to_numpy()
+    np.testing.assert_array_equal(one, rank(network, "eigenvector", orientation=orientation).to_numpy())
+    near = rank(network, "bonacich", beta=1 - 1e-9, orientation=orientation).to_numpy()
+    fuel = network.burnable
+    np.testing.assert_allclose(near[fuel] / near[fuel].max(), one[fuel], atol=1e-6)

@@ -62,19 +62,25 @@ def test_equal_seeds_give_equal_ensembles(ensemble):
 
 
 def test_grey_levels_are_sixteen_from_256_to_16():
-    frequency = np.linspace(0, 0.8, 161).reshape(7, 23)
-    frequency[:-1] += 1e-6  # off the edges of the bins
-    frequency[0, 0] = 0
-    levels = grey_levels(frequency)
+    counts = np.arange(161).reshape(7, 23)  # every tenth lies on the edge of two bins
+    frequency = (counts / 200).astype(np.float32)
+    levels = grey_levels(frequency, 200)
     assert set(levels.ravel()) == set(range(16, 257, 16))
     assert levels[0, 0] == 256
     assert levels[-1, -1] == 16
     assert (np.diff(levels.ravel()) <= 0).all()
-    width = 0.8 / 16
-    assert all(256 - 16 * min(int(f / width), 15) == v for f, v in zip(frequency.flat, levels.flat, strict=True))
+    assert all(256 - 16 * min(c // 10, 15) == v for c, v in zip(counts.flat, levels.flat, strict=True))
     frequency[2, 3] = np.nan
-    assert grey_levels(frequency)[2, 3] == 0
-    assert (grey_levels(np.zeros((2, 3))) == 256).all()
+    assert grey_levels(frequency, 200)[2, 3] == 0
+    assert (grey_levels(np.zeros((2, 3)), 200) == 256).all()
+
+
+@pytest.mark.parametrize("n_runs", [7, 30, 48, 99, 1000])
+def test_frequencies_on_the_edge_of_two_bins_go_to_the_upper_one(n_runs):
+    for most in range(1, n_runs + 1):
+        counts = np.arange(most + 1)
+        levels = grey_levels((counts / n_runs).astype(np.float32)[None], n_runs)[0]
+        assert levels.tolist() == [256 - 16 * min(16 * count // most, 15) for count in counts.tolist()]
 
 
 def test_experiment_on_a_landscape(sample):

@@ -15,6 +15,7 @@ from firebreak_gis.files.outputs import names
 from firebreak_gis.landscape import read_landscape_folder
 from firebreak_gis.planning.outputs import OUTPUTS, write_plan
 from firebreak_gis.planning.pipeline import default_budgets
+from firebreak_gis.schema import DENSITY, VEGETATION
 
 
 @pytest.fixture(scope="module")
@@ -205,3 +206,18 @@ def test_budgets_hold_the_marked_one(marked):
     assert budgets[0] == 0
     assert budgets[-1] <= 1
     assert budgets[-1] >= min(1.0, 1.2 * marked)
+
+
+def test_class_shares_of_the_cut_cells_stand_beside_those_of_random_cutting(make_landscape):
+    landscape = make_landscape((20, 31), seed=4)
+    made = plan(landscape, budget=0.2, method="flammability", n_runs=5)
+    shares = made.summary["cut_classes"]
+    cut, fuel = made.breaks.to_numpy() > 0, made.network.burnable
+    for layer, classes in (("vegetation", VEGETATION), ("density", DENSITY)):
+        assert list(shares[layer]) == [name for code, name in classes.items() if code]
+        for code, name in classes.items():
+            if code:
+                codes = landscape[layer].to_numpy()
+                assert shares[layer][name]["cut"] == pytest.approx((codes[cut] == code).mean())
+                assert shares[layer][name]["random"] == pytest.approx((codes[fuel] == code).mean())
+    assert shares["density"]["dense"]["cut"] > shares["density"]["dense"]["random"]

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
 import textwrap
+import threading
 import time
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -285,6 +289,118 @@ def test_make_engine_fails_with_the_words_of_pip(tmp_path):
             cancelled=lambda: False,
         )
     assert not folder.exists()
+
+
+def made_before(folder):
+    """An environment that stands there already."""
+    folder.mkdir()
+    (folder / "pyvenv.cfg").write_text("old")
+    (folder / "mine").write_text("old")
+
+
+def make(folder, package, **more):
+    options = {"report": lambda *_: None, "cancelled": lambda: False, **more}
+    return making.make_engine(folder, base=Path(sys.executable), package=str(package), **options)
+
+
+def test_the_old_engine_stands_until_the_new_one_answers(wheel, tmp_path):
+    folder, said = tmp_path / "made", []
+    made_before(folder)
+    assert make(folder, wheel, report=lambda _, text: said.append((folder / "mine").exists())) == "9.8.7"
+    assert said[:-1] == [True] * (len(said) - 1)
+    assert not said[-1]
+    assert sorted(path.name for path in tmp_path.iterdir() if path.is_dir()) == ["made"]
+    for script in (folder / "bin").glob("pip*"):  # scripts know where they are
+        assert ".new" not in script.read_text()
+        assert subprocess.run([script, "--version"], capture_output=True).returncode == 0
+
+
+@pytest.mark.parametrize("what", ["broken wheel", "no firebreak", "stopped"])
+def test_the_old_engine_stays_where_a_new_one_fails(wheel, tmp_path, what):
+    folder, begun = tmp_path / "made", time.monotonic()
+    made_before(folder)
+    if what == "broken wheel":
+        wheel.write_bytes(b"no wheel")
+    elif what == "no firebreak":
+        other = tmp_path / "other"
+        other.mkdir()
+        with zipfile.ZipFile(wheel) as archive:
+            parts = {name: archive.read(name) for name in archive.namelist() if "__main__" not in name}
+        wheel.unlink()
+        with zipfile.ZipFile(wheel, "w") as archive:
+            for name, content in parts.items():
+                archive.writestr(name, content)
+    stop = (lambda: time.monotonic() > begun + 0.5) if what == "stopped" else (lambda: False)
+    with pytest.raises((errors.EngineError, errors.EngineCancelledError)):
+        make(folder, wheel, cancelled=stop)
+    assert (folder / "mine").read_text() == "old"
+    assert not (tmp_path / "made.new").exists()
+
+
+def test_an_engine_of_a_run_killed_between_its_renames_is_found_again(tmp_path):
+    folder = tmp_path / "made"
+    made_before(tmp_path / "made.old")
+    with pytest.raises(errors.EngineError):
+        make(folder, tmp_path / "absent.whl")
+    folder_or_old = [path for path in (folder, tmp_path / "made.old") if (path / "mine").exists()]
+    assert folder_or_old
+    (tmp_path / "bad.whl").write_bytes(b"")
+    with pytest.raises(errors.EngineError):
+        make(folder, tmp_path / "bad.whl")
+    assert (folder / "mine").exists()
+
+
+def test_it_is_told_where_the_package_comes_from(wheel, tmp_path):
+    said = []
+    make(tmp_path / "made", wheel, report=lambda _, text: said.append(text), proxy="http://me:secret@127.0.0.1:9")
+    told = next(text for text in said if text.startswith("Installing firebreak_gis from"))
+    assert f"the file {wheel}" in told
+    assert "through the proxy http://127.0.0.1:9" in told
+    assert not any("secret" in text for text in said)
+    assert making.origin_of("firebreak_gis") == "the package index (firebreak_gis)"
+    assert "package index" in making.origin_of("firebreak_gis[scale]>=0.1")
+    assert making.origin_of(str(tmp_path)) == f"the folder {tmp_path}"
+    for absent in (tmp_path / "absent", "absent.whl"):
+        with pytest.raises(errors.EngineError, match="no file or folder"):
+            making.origin_of(str(absent))
+
+
+def test_pip_goes_through_the_proxy(tmp_path):
+    """A name is asked for through the proxy, which counts who comes and knows the password."""
+    heard = []
+    with socket.create_server(("127.0.0.1", 0)) as proxy:
+
+        def listen():
+            while True:
+                try:
+                    visitor, _ = proxy.accept()
+                except OSError:
+                    return
+                with visitor:
+                    heard.append(visitor.recv(4096))
+                    visitor.sendall(b"HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\nConnection: close\r\n\r\n")
+
+        threading.Thread(target=listen, daemon=True).start()
+        address = environment.proxy_address(
+            enabled="true",
+            kind="HttpProxy",
+            host="127.0.0.1",
+            port=str(proxy.getsockname()[1]),
+            user="me",
+            password="a/b",
+        )
+        with pytest.raises(errors.EngineError, match="installing"):
+            make(tmp_path / "made", "firebreak_gis", proxy=address)
+    assert heard
+    assert base64.b64encode(b"me:a/b") in heard[0]
+
+
+def test_addresses_of_proxies():
+    given = {"enabled": "true", "kind": "HttpProxy", "host": "proxy.example", "port": "8080"}
+    assert environment.proxy_address(**given) == "http://proxy.example:8080"
+    assert environment.proxy_address(**{**given, "kind": "Socks5Proxy"}) == "socks5://proxy.example:8080"
+    for none in ({"enabled": "false"}, {"host": ""}, {"kind": "DefaultProxy"}):
+        assert environment.proxy_address(**{**given, **none}) == ""
 
 
 def test_make_engine_is_stopped_and_leaves_nothing(wheel, tmp_path):

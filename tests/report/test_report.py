@@ -158,7 +158,7 @@ def test_hillshade_has_its_light_in_the_north_west():
 
 
 def test_figures_of_the_paper(landscape, result):
-    grey = grey_levels(result.before["burn_frequency"].to_numpy())
+    grey = grey_levels(result.before["burn_frequency"].to_numpy(), 20)
     figure = paper.figure_4(landscape, result.before, grey, wind="wind 8 m/s from 315 degrees")
     assert "315" in figure.axes[0].get_title(loc="left")
     stored = np.ma.masked_invalid(figure.axes[1].images[0].get_array()).filled(0)

@@ -99,6 +99,7 @@ class _Figures:
     """The other experiments: figures by number, and tables."""
 
     figures: Mapping[int, Figure]
+    grey: xr.DataArray
     evaluation: pd.DataFrame
     cut: pd.DataFrame
 
@@ -107,9 +108,16 @@ def _figure(number: int) -> Output[_Figures]:
     return Output(f"figure_{number}.png", f"Figure {number}", _picture(lambda result: result.figures[number]))
 
 
+def _grey(result: _Figures, path: Path, how: Writing) -> None:
+    from firebreak_gis.rasters import write_raster
+
+    write_raster(path, result.grey, overwrite=how.overwrite)
+
+
 #: What `landscape` writes into its folder.
 FIGURES: tuple[Output[_Figures], ...] = (
     *(_figure(number) for number in (3, 4, 5, 6)),
+    Output("figure_4a.tif", "Figure 4a as a map: burn frequency in 16 grey levels", _grey),
     Output("evaluation.csv", "Burnt share at every budget", _csv(lambda result: result.evaluation)),
     Output("cut_cells.csv", "Classes of the cells that are cut", _csv(lambda result: result.cut)),
     account("reproduce landscape", lambda result: {"cut_cells": result.cut.to_dict("records")}),
@@ -187,11 +195,12 @@ def landscape_command(
 ) -> None:
     """Figures 3 to 6 on a landscape: DEM, VEGETATION, DENSITY; without them on the sample data.
 
-    Writes figure_3.png to figure_6.png, evaluation.csv, cut_cells.csv and run.json.
+    Writes figure_3.png to figure_6.png, figure_4a.tif, evaluation.csv, cut_cells.csv and run.json.
     """
     from firebreak_gis.evaluation.curves import table
     from firebreak_gis.evaluation.paper.landscape import cut_table, grey_levels, landscape_experiment
     from firebreak_gis.files.outputs import write_all
+    from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import survey
     from firebreak_gis.progress import part
     from firebreak_gis.report import paper
@@ -217,14 +226,16 @@ def landscape_command(
         progress=part(session.progress, 0.1, 0.9),
     )
     wind = f"wind {wind_speed:g} m/s from {wind_from:g} degrees"
+    grey = grey_levels(result.fire["burn_frequency"].to_numpy(), n_runs)
     figures = {
         3: paper.figure_3(landscape),
-        4: paper.figure_4(landscape, result.fire, grey_levels(result.fire["burn_frequency"].to_numpy()), wind=wind),
+        4: paper.figure_4(landscape, result.fire, grey, wind=wind),
         5: paper.figure_5(result.evaluation),
         6: paper.figure_6(result.window, result.breaks),
     }
     cut = cut_table(result)
-    files = write_all(FIGURES, _Figures(figures, table(result.evaluation), cut), output.output, how)
+    grey_map = Grid.of(landscape["burnable"]).dataarray(grey.astype("uint16"), "grey_level")
+    files = write_all(FIGURES, _Figures(figures, grey_map, table(result.evaluation), cut), output.output, how)
     session.finish(
         {"files": files, "cut_cells": cut.to_dict("records")},
         f"{cut.to_string(index=False, float_format=lambda v: f'{v:.3f}')}\nwritten to {output.output}",

@@ -143,24 +143,27 @@ def middle(landscape: xr.Dataset) -> tuple[float, float]:
     return float(landscape["x"][cols[nearest]]), float(landscape["y"][rows[nearest]])
 
 
-def grey_levels(frequency: np.ndarray) -> np.ndarray:
+def grey_levels(frequency: np.ndarray, n_runs: int) -> np.ndarray:
     """Burn frequency in the paper's grey levels.
 
     The frequencies are sorted into 16 bins of equal width from 0 to their maximum; the bins get levels 256
-    down to 16 in steps of 16, so that dark cells burn often.
+    down to 16 in steps of 16, so that dark cells burn often. A frequency on the edge of two bins goes to the upper one:
+    the runs are counted, so that no rounding decides.
 
     Parameters
     ----------
     frequency
         (rows, cols), NaN where there is no fuel.
+    n_runs
+        Runs of which it is the share.
 
     Returns
     -------
     numpy.ndarray
         (rows, cols) int32: 16 .. 256; 0 where there is no fuel.
     """
-    top = np.nanmax(frequency, initial=0.0)
-    bins = np.floor(GREY_LEVELS * np.nan_to_num(frequency) / (top or 1.0)).clip(0, GREY_LEVELS - 1).astype(np.int32)
+    counts = np.rint(np.nan_to_num(frequency).astype(np.float64) * n_runs).astype(np.int64)
+    bins = np.minimum(GREY_LEVELS * counts // max(int(counts.max(initial=0)), 1), GREY_LEVELS - 1).astype(np.int32)
     return np.where(np.isnan(frequency), 0, 256 - 16 * bins)
 
 

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 #: Variables of QGIS' own Python, GDAL and PROJ, which would break those of the engine.
 FOREIGN = ("PYTHON", "PROJ_", "GDAL_")
@@ -43,3 +44,15 @@ def own_interpreter() -> Path | None:
     if executable.name.lower().startswith("python") and executable.is_file():
         return executable
     return interpreter_in(Path(sys.prefix)) or interpreter_in(Path(sys.base_prefix))
+
+
+def proxy_address(*, enabled: str, kind: str, host: str, port: str, user: str = "", password: str = "") -> str:
+    """Return the address of a proxy from the settings of QGIS, as pip takes it; empty if none is in use.
+
+    A proxy of the system (`DefaultProxy`) is left to pip, which asks the system by itself.
+    """
+    if enabled.lower() not in ("true", "1") or not host or kind in ("DefaultProxy", "NoProxy"):
+        return ""
+    scheme = "socks5" if kind == "Socks5Proxy" else "http"
+    who = quote(user, safe="") + (f":{quote(password, safe='')}" if password else "") + "@" if user else ""
+    return f"{scheme}://{who}{host}" + (f":{port}" if port not in ("", "0") else "")
