@@ -17,7 +17,7 @@ from .environment import interpreter_in, own_interpreter, start_options
 from .errors import EngineMissingError
 
 #: Oldest release of firebreak_gis whose commands the forms of this plugin fit.
-OLDEST = "0.1.0"
+OLDEST = "0.2.0"
 #: Names a Python with firebreak_gis, or the `firebreak` program, for one run; wins over the setting.
 VARIABLE = "FIREBREAK_PYTHON"
 
