@@ -149,7 +149,7 @@ def burn_timed(
                 winds=group.winds or [wind_of(request.embers, group.network)],
                 residual=request.residual,
             )
-        clock, span = laid.clock(group, longest, embers=request.embers is not None)
+        clock, span = clock_of(group, longest, embers=request.embers is not None)
         heat = total.heat if group.network.heat is None else group.network.heat.ravel()
         tallies = _Tallies(total._replace(heat=heat))
         given = (laid.thresholds(group), keys["edges"], grid_steps, clock, starts, walls, flying)
@@ -183,6 +183,28 @@ def _intensity(group: Group, request: FireRequest, products: Products) -> np.nda
     return np.asarray(sum(each) / np.float32(len(each)), np.float32)
 
 
+def clock_of(group: Group, longest: int, *, embers: bool) -> tuple[Clock, int]:
+    """Times as kernels read them, and how many buckets ahead a step leads at most; `longest` run [s]."""
+    from firebreak_gis.kernels.arrival import Clock
+    from firebreak_gis.kernels.embers import SOONEST
+
+    if not group.times:  # all that matters is that fire comes
+        return Clock(np.ones(8, np.uint32), np.zeros(0, np.uint64), np.uint64(0)), 2
+    n_cells = group.network.burnable.size
+    seconds = np.empty((len(group.times), n_cells, 8), np.uint32)
+    least, most = NEVER, 1
+    for laid, times in zip(seconds, group.times, strict=True):
+        laid[:] = times.reshape(8, n_cells).T
+        moves = times[times != NEVER]
+        if moves.size:
+            least, most = min(least, int(moves.min())), max(most, int(moves.max()))
+    if embers:
+        least = min(least, SOONEST)
+    shift = max(least.bit_length() - 1, 0) if least < NEVER else 0
+    clock = Clock(seconds.ravel(), group.starts[1:].astype(np.uint64), np.uint64(shift))
+    return clock, min(most, longest) >> shift
+
+
 class _Laid:
     """What kernels are given of a network, kept while it stays the same."""
 
@@ -197,28 +219,6 @@ class _Laid:
             self._probability = group.network.probability
             self._thresholds = thresholds(group.network.probability)
         return self._thresholds
-
-    @staticmethod
-    def clock(group: Group, longest: int, *, embers: bool) -> tuple[Clock, int]:
-        """Times as kernels read them, and how many buckets ahead a step leads at most."""
-        from firebreak_gis.kernels.arrival import Clock
-        from firebreak_gis.kernels.embers import SOONEST
-
-        if not group.times:  # all that matters is that fire comes
-            return Clock(np.ones(8, np.uint32), np.zeros(0, np.uint64), np.uint64(0)), 2
-        n_cells = group.network.burnable.size
-        seconds = np.empty((len(group.times), n_cells, 8), np.uint32)
-        least, most = NEVER, 1
-        for laid, times in zip(seconds, group.times, strict=True):
-            laid[:] = times.reshape(8, n_cells).T
-            moves = times[times != NEVER]
-            if moves.size:
-                least, most = min(least, int(moves.min())), max(most, int(moves.max()))
-        if embers:
-            least = min(least, SOONEST)
-        shift = max(least.bit_length() - 1, 0) if least < NEVER else 0
-        clock = Clock(seconds.ravel(), group.starts[1:].astype(np.uint64), np.uint64(shift))
-        return clock, min(most, longest) >> shift
 
 
 class _Spaces:

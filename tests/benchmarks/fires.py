@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
 from firebreak_gis import SpreadNetwork, burn_curve, simulate
+from firebreak_gis.kernels import arrival as arrival_kernel
 from firebreak_gis.kernels import draws, lanes, percolation
+from firebreak_gis.simulation import timed as timed_runs
+from firebreak_gis.simulation.embers import nothing_flies
+from firebreak_gis.simulation.holding import build_walls
+from firebreak_gis.simulation.products import Products, new_tally
+from firebreak_gis.simulation.request import FireRequest
 from tests.benchmarks import peers
-from tests.benchmarks.landscapes import fractal
-from tests.benchmarks.measuring import Comparison
+from tests.benchmarks.landscapes import fractal, paced
+from tests.benchmarks.measuring import Comparison, Figure, seconds, threads
 
 #: Runs of a block.
 RUNS = 64
@@ -53,7 +61,7 @@ class Kernels:
         return burnt
 
 
-def rows(side: int) -> Iterator[Comparison]:
+def rows(side: int) -> Iterator[Comparison | Figure]:
     """All rows about fires on one landscape."""
     network = fractal(side)
     for middle in (True, False):
@@ -74,6 +82,89 @@ def rows(side: int) -> Iterator[Comparison]:
         )
         yield from _against_peers(network, kernels.starts, name)
     yield from _curves(network)
+    yield from _timed(paced(side))
+
+
+def _timed(network: SpreadNetwork) -> Iterator[Comparison | Figure]:
+    """Fires with a clock, lit in the middle, against scipy and against those without one."""
+    n_cells, (rows, cols) = network.burnable.size, network.shape
+    middle = rows // 2 * cols + cols // 2
+    asked = n_cells >= ASKED
+    eight = 8 * 3600
+    peer = peers.MaskAndDijkstra(network, eight)
+    starts = np.full(8, middle)
+    graphs = [peer.open_edges(run) for run in range(8)]
+    timed = Timed(network, middle)
+
+    def alike(a: np.ndarray, b: np.ndarray) -> bool:
+        return _alike(a, b, n_cells)
+
+    for name, theirs, floor in (
+        ("csgraph.dijkstra(limit=) on edges drawn before", lambda: _searched(peer, graphs, middle), None),
+        ("numpy mask + csgraph.dijkstra(limit=)", lambda: peer(starts), 10.0),
+    ):
+        yield Comparison(
+            "fires of 8 h, one ignition",
+            n_cells,
+            name,
+            lambda: timed.burn(eight),
+            theirs,
+            alike,
+            lambda sizes: float(sizes.size),
+            "ms/run",
+            1e3,
+            at_least=floor if asked else None,
+        )
+    plain = Kernels(network, middle=True)
+    yield Comparison(
+        "fires with a clock and no end, one ignition",
+        n_cells,
+        "one by one, no clock",
+        lambda: timed.burn(arrival_kernel.ENDLESS),
+        lambda: plain.one_by_one()[1],
+        lambda a, b: bool((a == b).all()),
+        lambda sizes: float(sizes.sum()),
+        "ns/burnt cell",
+        1e9,
+        at_most=4.0 if asked else None,
+    )
+    if n_cells >= 1_000_000:
+        with threads(2):
+            taken = seconds(lambda: simulate(network, duration="8h", n_runs=1000), clock=time.perf_counter)
+        yield Figure("1,000 fires of 8 h (`simulate`), random ignitions", n_cells, taken, "s", at_most=5.0, threads=2)
+
+
+def _searched(peer: peers.MaskAndDijkstra, graphs: list[Any], start: int) -> np.ndarray:
+    return np.array([peer.search(graph, start) for graph in graphs])
+
+
+class Timed:
+    """The kernel of fires with a clock on one network, lit in one cell."""
+
+    def __init__(self, network: SpreadNetwork, cell: int) -> None:
+        self.network = network
+        self.n_cells = network.burnable.size
+        request = FireRequest(n_runs=RUNS)
+        group = next(timed_runs.groups_of(network, None, n_runs=RUNS, first_run=0, seed=0))
+        self.clock, self.span = timed_runs.clock_of(group, 1 << 40, embers=False)
+        keys = {purpose: draws.run_keys(0, purpose, RUNS) for purpose in ("edges", "hold", "embers")}
+        walls = build_walls(network, keys["hold"], breaks=None, residual=0.0, hold=request.holding)
+        self.cells = np.full(RUNS, cell)
+        self.before = (
+            draws.thresholds(network.probability),
+            keys["edges"],
+            percolation.steps(network.shape, periodic=False),
+            self.clock,
+        )
+        self.after = (walls, nothing_flies(keys["embers"]), arrival_kernel.workspace(self.n_cells, self.span))
+
+    def burn(self, limit: int) -> np.ndarray:
+        """Size of every fire."""
+        tally = new_tally(self.network, Products(), RUNS, longest=limit, value=None)
+        at, limits = np.zeros(RUNS, np.uint64), np.full(RUNS, limit, np.uint64)
+        starts = arrival_kernel.Starts(np.arange(RUNS + 1), self.cells, at, limits)
+        arrival_kernel.burn_timed(*self.before, starts, *self.after, np.arange(RUNS), tally, np.zeros(0, np.float32))
+        return tally.sizes
 
 
 def _against_peers(network: SpreadNetwork, starts: np.ndarray, name: str) -> Iterator[Comparison]:

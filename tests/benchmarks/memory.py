@@ -31,6 +31,7 @@ STEPS = {
     "breaks": 1,
     "burns": 1,
     "burns on 2 threads": 2,
+    "burns of 8 h": 1,
     "curve": 1,
     "write": 1,
 }
@@ -80,7 +81,7 @@ def _prepare(step: str, side: int, folder: Path) -> Callable[[], Any]:
 
     import firebreak_gis as fb
     from firebreak_gis.rasters import write_raster
-    from tests.benchmarks.landscapes import fractal, write_layers
+    from tests.benchmarks.landscapes import fractal, paced, write_layers
 
     if step in ("align", "network"):
         layers = write_layers(folder, side)
@@ -101,6 +102,9 @@ def _prepare(step: str, side: int, folder: Path) -> Callable[[], Any]:
         "curve": lambda: fb.burn_curve(network, priority, budgets=np.linspace(0, 0.4, 41), n_runs=16),
         "write": lambda: write_raster(folder / "priority.tif", priority),
     }
+    if step == "burns of 8 h":
+        clocked = paced(side)
+        return lambda: fb.simulate(clocked, n_runs=150, duration="8h")
     return work.get(step, lambda: fb.simulate(network, n_runs=150))
 
 

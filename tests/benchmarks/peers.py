@@ -14,6 +14,7 @@ from scipy.sparse.linalg import LinearOperator, bicgstab, eigs
 
 from firebreak_gis import SpreadNetwork
 from firebreak_gis.kernels.percolation import steps
+from firebreak_gis.lattice import COL_STEP, ROW_STEP
 
 Burns = tuple[np.ndarray, np.ndarray]
 
@@ -69,6 +70,36 @@ class MaskAndCsgraph:
             counts[reached] += 1
             sizes[run] = reached.size
         return counts, sizes
+
+
+class MaskAndDijkstra(MaskAndCsgraph):
+    """Fires with a clock by drawing all edges and searching the open ones with scipy."""
+
+    def __init__(self, network: SpreadNetwork, limit: float) -> None:
+        super().__init__(network)
+        cells, cols = network.burnable.size, network.shape[1]
+        step = self.matrix.indices - self.rows
+        directions = {r * cols + c: d for d, (r, c) in enumerate(zip(ROW_STEP, COL_STEP, strict=True))}
+        direction = np.vectorize(directions.get)(np.unique(step))[np.unique(step, return_inverse=True)[1]]
+        assert network.travel_time is not None
+        self.seconds = network.travel_time.reshape(8, cells)[direction, self.rows].astype(np.float64)
+        self.limit = limit
+
+    def open_edges(self, run: int) -> sp.csr_array:
+        """Graph of the open edges of a run, in seconds."""
+        n_cells = self.matrix.shape[0]
+        is_open = np.random.default_rng(run).random(self.matrix.nnz, dtype=np.float32) < self.probability
+        degree = np.bincount(self.rows[is_open], minlength=n_cells)
+        pointer = np.concatenate([[0], np.cumsum(degree)]).astype(np.int32)
+        return sp.csr_array((self.seconds[is_open], self.matrix.indices[is_open], pointer), shape=self.matrix.shape)
+
+    def search(self, graph: sp.csr_array, start: int) -> int:
+        """Cells reached in time."""
+        return int(np.isfinite(csgraph.dijkstra(graph, indices=start, limit=self.limit)).sum())
+
+    def __call__(self, starts: np.ndarray) -> np.ndarray:
+        """Size of every fire."""
+        return np.array([self.search(self.open_edges(run), int(start)) for run, start in enumerate(starts)])
 
 
 def lengths(network: SpreadNetwork) -> sp.coo_array:

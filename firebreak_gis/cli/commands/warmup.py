@@ -38,6 +38,7 @@ def command(session: Session) -> None:
         evaluate(network, {"random": priorities["random"]}, budgets=[0.0, 0.1], n_runs=n_runs)
     _warm_landscape()
     _warm_large()
+    _warm_clock()
     seconds = time.perf_counter() - started
     session.finish({"seconds": seconds}, f"kernels ready after {seconds:.1f} s")
 
@@ -55,6 +56,22 @@ def _warm_large() -> None:
     probability[:, 60:68, 60:68] = 0.8
     perron_vector(probability, boundary="periodic", direct_cells=0)
     katz(probability, 0.1, 0.99, boundary="periodic")
+
+
+def _warm_clock() -> None:
+    """Compile fires with a clock, embers, breaks that may fail, and all that is kept of them."""
+    import numpy as np
+
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.simulation.embers import Embers
+    from firebreak_gis.simulation.fires import simulate
+    from firebreak_gis.simulation.products import Products
+
+    shape = (8, 9, 11)
+    network = SpreadNetwork(np.full(shape, 0.5), travel_time=np.full(shape, 90), heat=np.full(shape[1:], 2e4))
+    products = Products((600.0,), (0.5,), (1.0,), (1.0,), paths=True, arrivals=True)
+    embers = Embers(wind_speed=3.0, wind_from_direction=0.0)
+    simulate(network, breaks=np.eye(9, 11), hold=0.5, duration=900, embers=embers, products=products, n_runs=2)
 
 
 def _warm_landscape() -> None:
