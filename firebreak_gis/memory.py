@@ -46,6 +46,8 @@ _NETWORK = 58
 _MAKING, _READING = Need(_COMPILED, 210), Need(_PLAIN, 140)
 #: What travel times add to making a network, and to all else, bytes a cell.
 _TIMES_MADE, _TIMES = 190, 100
+#: What is kept of fires by time, size, flame length and path, bytes a cell, and a cell and thread.
+_KEPT, _KEPT_THREAD = 400, 200
 _STAGES: Mapping[str, tuple[Need, ...]] = {
     "align": (Need(_PLAIN, 81),),
     "network": (_MAKING,),
@@ -58,7 +60,13 @@ _STAGES: Mapping[str, tuple[Need, ...]] = {
 
 
 def bytes_for(
-    command: str, cells: int, *, method: str | None = None, clock: bool = False, threads: int | None = None
+    command: str,
+    cells: int,
+    *,
+    method: str | None = None,
+    clock: bool = False,
+    products: bool = False,
+    threads: int | None = None,
 ) -> int:
     """Estimate the peak memory of a command.
 
@@ -72,6 +80,8 @@ def bytes_for(
         Ranking, for the commands that rank; several names, by commas, for those that take several.
     clock
         Whether the network has travel times.
+    products
+        Whether more is kept of fires than how often each cell burns.
     threads
         See `workers.thread_count`.
     """
@@ -82,7 +92,7 @@ def bytes_for(
             cell, thread = memory_of("ranking", name)
             stages.append(Need(_COMPILED, _NETWORK + cell, thread))
     needed = [stage.bytes(cells, n_threads) + clock * cells * _times(stage) for stage in stages]
-    return max(needed)
+    return max(needed) + products * cells * (_KEPT + n_threads * _KEPT_THREAD)
 
 
 def _times(stage: Need) -> int:

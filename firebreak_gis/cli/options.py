@@ -122,7 +122,9 @@ def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -
         return  # the command says it better
     names = [method.name for method in given.get("method_list", ())]
     names += [given["method"]] if "method" in given else []
-    needed = memory.bytes_for(work, rows * cols, method=",".join(names), clock=clock)
+    needed = memory.bytes_for(
+        work, rows * cols, method=",".join(names), clock=clock, products=bool(given.get("products"))
+    )
     memory.require_memory(needed, f"firebreak {work} on {rows} x {cols} cells", max_memory=max_memory)
 
 

@@ -147,7 +147,7 @@ def add_up(total: Tally, parts: list[Tally]) -> None:
 
 
 def product_maps(network: SpreadNetwork, products: Products, tally: Tally) -> dict[str, xr.DataArray]:
-    """Maps and tables of what was asked, by name."""
+    """Maps and tables of what was asked, by name; the tally is used up."""
     import xarray as xr
 
     n_runs = tally.sizes.size
@@ -159,7 +159,8 @@ def product_maps(network: SpreadNetwork, products: Products, tally: Tally) -> di
         return annotate(data.assign_coords({dim: (dim, np.array(labels, np.float64), {"units": units})}))
 
     out: dict[str, xr.DataArray] = {}
-    until = np.cumsum(tally.by_time, axis=1, dtype=np.int64) if tally.by_time.size else tally.by_time
+    # In place: it is the largest of all arrays, and not needed as it was.
+    until = np.cumsum(tally.by_time, axis=1, out=tally.by_time) if tally.by_time.size else tally.by_time
     if products.by:
         at = np.searchsorted(tally.edges, np.array([round(t) for t in products.by], np.uint64))
         out["burnt_by"] = planes("burnt_by", "time", products.by, until[:, at].T / n_runs, "s")
