@@ -109,14 +109,15 @@ def _input(path: str | os.PathLike[str]) -> dict[str, Any]:
     """Path and hash of an input; of a raster also its CRS and grid."""
     from firebreak_gis.grid import crs_name
     from firebreak_gis.rasters import read_header
+    from firebreak_gis.vectors import is_vector
 
     entry: dict[str, Any] = {"path": str(path), "sha256": sha256(path)}
-    if Path(path).suffix.lower() in (".csv", ".toml", ".json", ".gpkg", ".geojson", ".fgb", ".parquet", ".shp"):
+    if is_vector(path):
         return entry
     try:
         header = read_header(path)
     except InputError:
-        # Several bands, or no raster: the hash must do.
+        # Several bands, or no layer at all: the hash must do.
         return entry
     entry["crs"] = None if header.crs is None else crs_name(header.crs)
     entry["shape"] = list(header.shape)

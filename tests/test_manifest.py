@@ -12,6 +12,7 @@ import pytest
 from firebreak_gis import __version__
 from firebreak_gis.errors import InputError, OutputError, ParameterError
 from firebreak_gis.manifest import plain, provenance, read_config, write_manifest
+from tests import places
 
 
 @pytest.fixture
@@ -60,6 +61,20 @@ def test_manifest_is_not_replaced_unless_asked(files):
     with pytest.raises(InputError):
         write(files, inputs=[files / "gone.tif"], overwrite=True)
     assert json.loads((files / "out/run.json").read_text())["command"] == "align"
+
+
+def test_grids_are_told_of_rasters_alone(tmp_path):
+    """What is a vector is known by its name, as everywhere, and never opened as a raster."""
+    raster = places.write(tmp_path / "a.tif", np.zeros((3, 4), np.uint8))
+    vectors = [tmp_path / name for name in ("a.kml", "a.gml", "a.shz", "a.gdb.zip")]
+    for path in vectors:
+        path.write_bytes(raster.read_bytes())
+    written = write_manifest(
+        tmp_path / "run.json", command="plan", parameters={}, inputs=[raster, *vectors], outputs=[], account={}
+    )
+    first, *others = json.loads(written.read_text())["inputs"]
+    assert first["shape"] == [3, 4]
+    assert [set(entry) for entry in others] == [{"path", "sha256"}] * len(vectors)
 
 
 def test_provenance_knows_equal_parameters():

@@ -15,12 +15,13 @@ import traceback
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
-from types import FrameType
+from types import FrameType, ModuleType
 from typing import Any, NoReturn
 
 import click
 
 import firebreak_gis
+from firebreak_gis.cli import outputs
 from firebreak_gis.errors import (
     Cancelled,
     FirebreakError,
@@ -43,17 +44,19 @@ class Commands(click.Group):
     """Finds commands by file, and is the one place of the program that catches errors."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - the interface of click
-        """Name every command, in the order of the work."""
-        found = {m.name for m in pkgutil.iter_modules(_package_path())}
-        order = ["plan", "align", "network", "rank", "breaks", "segments", "burn", "evaluate"]
-        return [name for name in order if name in found] + sorted(found - set(order))
+        """Name every command: those with a `STEP` in the order of the work, then the others."""
+        return sorted(_names(), key=lambda name: (getattr(_module(name), "STEP", sys.maxsize), name))
 
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import the file of a command."""
-        if cmd_name not in self.list_commands(ctx):
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        """Import the file of a command; its help ends with the files that it writes."""
+        if cmd_name not in _names():
             return None
-        command = getattr(importlib.import_module(f"firebreak_gis.cli.commands.{cmd_name}"), "command")  # noqa: B009
-        return command if isinstance(command, click.Command) else None
+        command = _module(cmd_name).command
+        if not isinstance(command, click.Command):
+            return None
+        for one in (command, *(command.commands.values() if isinstance(command, click.Group) else ())):
+            one.epilog = outputs.listed(one) or one.epilog
+        return command
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Note before anything can fail whether errors are wanted as JSON too."""
@@ -187,8 +190,14 @@ def hush() -> None:
             continue
 
 
-def _package_path() -> list[str]:
-    return list(importlib.import_module("firebreak_gis.cli.commands").__path__)
+def _names() -> set[str]:
+    """Names of the files of commands."""
+    return {m.name for m in pkgutil.iter_modules(_module().__path__)}
+
+
+def _module(name: str = "") -> ModuleType:
+    """The file of a command; without a name the folder of all."""
+    return importlib.import_module(f"firebreak_gis.cli.commands.{name}".rstrip("."))
 
 
 def _fail(error: FirebreakError, as_json: bool, code: int | None = None) -> NoReturn:

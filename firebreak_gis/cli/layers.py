@@ -132,8 +132,7 @@ def checked_fires(request: FireRequest, network: SpreadNetwork, session: Session
     ParameterError
         If a number is impossible.
     """
-    from firebreak_gis.simulation.fires import resolved
-    from firebreak_gis.simulation.ignitions import ignition_places
+    from firebreak_gis.simulation.ignitions import ignition_places, require_runs
 
     left_out = network.provenance.get("left_out")
     if left_out and (request.duration is None or request.duration.endless):
@@ -146,6 +145,5 @@ def checked_fires(request: FireRequest, network: SpreadNetwork, session: Session
     )
     for sentence in places.notes:
         session.say(sentence)
-    request = replace(request, ignitions=places)
-    resolved(network, request)
-    return request
+    require_runs(places, mode=request.ignition_mode, n_runs=request.n_runs, seed=request.seed)
+    return replace(request, ignitions=places)

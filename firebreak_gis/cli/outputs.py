@@ -69,6 +69,14 @@ def outputs_of(command: click.Command) -> Sequence[Output[Any]]:
     return table
 
 
+def listed(command: click.Command) -> str:
+    """Name, for help pages, the files that a command writes into its folder; nothing for one that has none."""
+    table = outputs_of(command)
+    width = max((len(output.name) for output in table), default=0)
+    lines = [f"  {output.name:{width}}  {output.label}" for output in table]
+    return "\n".join(["\b", "Files written:", *lines]) if table else ""
+
+
 def _claiming_files(command: F) -> F:
     """Look at every file that the options name to be written, and keep other runs from writing them meanwhile."""
 

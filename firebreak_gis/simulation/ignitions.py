@@ -191,11 +191,10 @@ def resolve_ignitions(
     InputError
         If a point lies outside the grid or on a cell without fuel, or the raster has no weight on fuel.
     """
-    for name, number, least in (("n_runs", n_runs, 1), ("first_run", first_run, 0), ("seed", seed, 0)):
-        if not isinstance(number, (int, np.integer)) or isinstance(number, bool) or number < least:
-            raise ParameterError(f"{name} is {number!r}, expected a whole number of at least {least}")
-    if mode not in get_args(IgnitionMode):
-        raise ParameterError(f"ignition mode is {mode!r}, expected one of {', '.join(get_args(IgnitionMode))}")
+    places = ignitions
+    if not isinstance(places, (Places, Ignitions)):
+        places = ignition_places(network, ignitions, outside=outside, times=times)
+    require_runs(places, mode=mode, n_runs=n_runs, first_run=first_run, seed=seed)
     if isinstance(ignitions, Ignitions):
         if (ignitions.first_run, ignitions.starts.size - 1) != (first_run, n_runs):
             raise ParameterError(
@@ -203,9 +202,6 @@ def resolve_ignitions(
                 f"{n_runs} runs from run {first_run}"
             )
         return ignitions
-    places = ignitions
-    if not isinstance(places, Places):
-        places = ignition_places(network, ignitions, outside=outside, times=times)
     weights = _density(network, places) if mode == "density" else places.weights
     if weights is not None:
         cumulative = np.cumsum(weights)
@@ -226,12 +222,29 @@ def resolve_ignitions(
     return Ignitions(starts, places.cells[np.repeat(first, size) + within], first_run, lit, places.notes)
 
 
+def require_runs(
+    places: Places | Ignitions, *, mode: IgnitionMode, n_runs: int, first_run: int = 0, seed: int = 0
+) -> None:
+    """Refuse what no run can be drawn with; parameters as in `resolve_ignitions`.
+
+    Raises
+    ------
+    ParameterError
+        Naming the parameter.
+    """
+    for name, number, least in (("n_runs", n_runs, 1), ("first_run", first_run, 0), ("seed", seed, 0)):
+        if not isinstance(number, (int, np.integer)) or isinstance(number, bool) or number < least:
+            raise ParameterError(f"{name} is {number!r}, expected a whole number of at least {least}")
+    if mode not in get_args(IgnitionMode):
+        raise ParameterError(f"ignition mode is {mode!r}, expected one of {', '.join(get_args(IgnitionMode))}")
+    if mode == "density" and isinstance(places, Places) and places.weights is not None:
+        raise ParameterError("a density of past fires needs points or polygons of them (--ignitions)")
+
+
 def _density(network: SpreadNetwork, places: Places) -> np.ndarray:
     """Density of fires in places on the cells with fuel, (n_cells,) float64."""
     from scipy import ndimage
 
-    if places.weights is not None:
-        raise ParameterError("a density of past fires needs points or polygons of them (--ignitions)")
     row, col = (np.add.reduceat(axis, places.starts[:-1]) for axis in np.divmod(places.cells, network.shape[1]))
     n = np.diff(places.starts)
     middle = np.array([row / n, col / n])

@@ -158,6 +158,8 @@ def test_tables_name_each_file_once_and_the_account_last(name):
         described = document[word]
         document = described.get("commands", {})
     assert described["outputs"] == labels(table)
+    told = [line.split(maxsplit=1) for line in call(*name.split(), "--help").stdout.splitlines()]
+    assert [[output.name, output.label] in told for output in table] == [True] * len(table)
 
 
 @every

@@ -36,6 +36,9 @@ def _account(landscape: xr.Dataset) -> dict[str, Any]:
 #: What the command writes into its folder.
 OUTPUTS: tuple[Output[xr.Dataset], ...] = (*LAYERS, account("align", _account))
 
+#: Place in the list of commands, which is the order of the work.
+STEP = 2
+
 
 @click.command("align")
 @options.inputs

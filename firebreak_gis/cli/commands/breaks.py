@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
     from firebreak_gis.breaks import BudgetUnit
 
+#: Place in the list of commands, which is the order of the work.
+STEP = 5
+
 
 @click.command("breaks")
 @click.argument("priority", type=kinds.RASTER)

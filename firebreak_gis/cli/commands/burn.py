@@ -20,6 +20,9 @@ from firebreak_gis.simulation.request import FireRequest
 if TYPE_CHECKING:
     from firebreak_gis.simulation.products import Products
 
+#: Place in the list of commands, which is the order of the work.
+STEP = 7
+
 
 @click.command("burn")
 @click.argument("network", type=kinds.RASTER)

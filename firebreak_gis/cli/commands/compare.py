@@ -119,7 +119,7 @@ def command(
     """Compare rankings on NETWORK: expected burnt area, value lost, worst fires and leverage, with intervals.
 
     Each plan is made for its budget and leak, as firebreak plan makes it. The fires are fresh: no plan was designed
-    with them, and all burn in the same ones. Writes comparison.csv, comparison.png, comparison.svg and run.json.
+    with them, and all burn in the same ones.
     """
     from firebreak_gis.files.outputs import write_all
     from firebreak_gis.planning.comparison import compare_plans, comparison_table

@@ -92,6 +92,9 @@ OUTPUTS: tuple[Output[_Judged], ...] = (
     ),
 )
 
+#: Place in the list of commands, which is the order of the work.
+STEP = 8
+
 
 @click.command("evaluate")
 @click.argument("network", type=kinds.RASTER)

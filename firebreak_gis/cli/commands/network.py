@@ -18,6 +18,9 @@ from firebreak_gis.planning.weather import WEATHER, SpreadRequest
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
 
+#: Place in the list of commands, which is the order of the work.
+STEP = 3
+
 
 @click.command("network")
 @click.argument("folder", type=click.Path(file_okay=False))

@@ -24,6 +24,9 @@ from firebreak_gis.simulation.request import FireRequest
 if TYPE_CHECKING:
     from firebreak_gis.planning.feasibility import Feasibility
 
+#: Place in the list of commands, which is the order of the work.
+STEP = 1
+
 
 @click.command("plan")
 @options.inputs

@@ -13,6 +13,9 @@ from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.planning.request import DesignRequest
 from firebreak_gis.simulation.request import FireRequest
 
+#: Place in the list of commands, which is the order of the work.
+STEP = 4
+
 
 @click.command("rank")
 @click.argument("network", type=kinds.RASTER)

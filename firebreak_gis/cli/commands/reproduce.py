@@ -132,10 +132,7 @@ FIGURES: tuple[Output[_Figures], ...] = (
 @options.common
 @built(output=OutputRequest)
 def artificial_forest_command(session: Session, output: OutputRequest, n_forests: int, n_runs: int, seed: int) -> None:
-    """Figure 1: R(d_f) of every centrality on random forests of 50 x 50 cells.
-
-    Writes curve.csv, summary.json, figure_1.png, figure_1.svg and run.json.
-    """
+    """Figure 1: R(d_f) of every centrality on random forests of 50 x 50 cells."""
     from firebreak_gis.evaluation.paper.artificial_forest import FALLEN, artificial_forest
     from firebreak_gis.files.outputs import write_all
 
@@ -193,10 +190,7 @@ def landscape_command(
     n_runs: int,
     seed: int,
 ) -> None:
-    """Figures 3 to 6 on a landscape: DEM, VEGETATION, DENSITY; without them on the sample data.
-
-    Writes figure_3.png to figure_6.png, figure_4a.tif, evaluation.csv, cut_cells.csv and run.json.
-    """
+    """Figures 3 to 6 on a landscape: DEM, VEGETATION, DENSITY; without them on the sample data."""
     from firebreak_gis.evaluation.curves import table
     from firebreak_gis.evaluation.paper.landscape import cut_table, grey_levels, landscape_experiment
     from firebreak_gis.files.outputs import write_all

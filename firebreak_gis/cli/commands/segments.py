@@ -14,6 +14,9 @@ from firebreak_gis.errors import InputError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 
+#: Place in the list of commands, which is the order of the work.
+STEP = 6
+
 
 @click.command("segments")
 @click.argument("network", type=kinds.RASTER)
