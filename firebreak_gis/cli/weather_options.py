@@ -102,6 +102,13 @@ def spread(command: F) -> F:
             help="Moisture of the fine dead fuel as a share of its dry weight (8 % is 0.08 or 8%), or a raster of it.",
         ),
         click.option(
+            "--neighbourhood",
+            type=click.Choice(["moore", "von_neumann"]),
+            default="moore",
+            show_default=True,
+            help="Neighbours that a cell can light: all eight (moore), or the four that share a side (von_neumann).",
+        ),
+        click.option(
             "--model-param",
             "model_params",
             multiple=True,

@@ -50,7 +50,9 @@ def read_scene(
     ensemble = weather.read()
     if not Path(source).is_dir():
         asked = ensemble is not None or any(value != 0.0 for value in spread.weather.values())
-        if asked or spread.wind_uv or spread.model_params or spread.model != SpreadRequest().model:
+        usual = SpreadRequest()
+        asked = asked or (spread.model, spread.neighbourhood) != (usual.model, usual.neighbourhood)
+        if asked or spread.wind_uv or spread.model_params:
             raise ParameterError(
                 f"{source} is a network, made for one wind and one spread model; for another wind or a weather give "
                 "the folder of the landscape (firebreak align) in its place"

@@ -18,6 +18,7 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.landscape.weather_layers import WeatherReader
+from firebreak_gis.spread import Neighbourhood
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -44,6 +45,8 @@ class SpreadRequest:
         Rasters of the components of the wind towards east and north, in place of `wind_speed` and `wind_from`.
     clock
         Whether the model is to tell how long fire takes, too.
+    neighbourhood
+        Neighbours that a cell can light, see `spread.spread_network`.
     """
 
     model: str = "alexandridis"
@@ -53,6 +56,7 @@ class SpreadRequest:
     moisture: float | str | None = None
     wind_uv: tuple[float | str, float | str] | None = None
     clock: bool = False
+    neighbourhood: Neighbourhood = "moore"
 
     @property
     def weather(self) -> dict[str, float | str]:
@@ -94,7 +98,7 @@ class SpreadRequest:
         plugins.build_params(module, {**numbers, **self.model_params})
 
     def params(self, landscape: xr.Dataset, account: Account | None = None) -> dict[str, Any]:
-        """Parameters of the spread model; rasters of the weather are laid on the grid of a landscape.
+        """Parameters of `spread_network` beside the model; rasters of the weather are laid on the grid of a landscape.
 
         Parameters
         ----------
@@ -125,6 +129,8 @@ class SpreadRequest:
         told = {WEATHER[option]: plane for option, plane in planes.items() if WEATHER[option] in known}
         if self.clock and "clock" in known:
             told["clock"] = True
+        if self.neighbourhood != "moore":
+            told["neighbourhood"] = self.neighbourhood
         return {**told, **self.model_params}
 
     def networks(self, landscape: xr.Dataset, weather: Weather, *, keep: int = 4) -> WeatherNetworks:

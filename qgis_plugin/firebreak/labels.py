@@ -43,6 +43,7 @@ LABELS: Mapping[str, str] = {
     "wind_speed": "Wind speed [m/s]",
     "wind_from": "Wind from [degrees clockwise from north]",
     "moisture": "Moisture of the fine dead fuel (8 % is 0.08)",
+    "neighbourhood": "Neighbours that a cell can light",
     "n_runs": "Number of fires",
     "ignitions": "Ignition points",
     "ignition_mode": "Use of the ignition points",

@@ -77,3 +77,37 @@ def test_dissection_needs_fewer_cells_against_four(make_landscape):
 def test_other_words_are_refused(make_landscape):
     with pytest.raises(ParameterError, match="moore, von_neumann"):
         spread_network(make_landscape(), neighbourhood="hexagon")
+
+
+def test_the_command_line_has_it(tmp_path, make_landscape):
+    """Network, plan and burn of a landscape take it; a network that is made refuses it."""
+    import json
+
+    from click.testing import CliRunner
+
+    from firebreak_gis.cli import firebreak
+    from firebreak_gis.spread.raster import read_network
+
+    def run(*words, code=0):
+        outcome = CliRunner().invoke(firebreak, [str(word) for word in words])
+        assert outcome.exit_code == code, outcome.output
+        return outcome.output
+
+    layers = [f"sample_data/{name}.tif" for name in ("dem", "vegetation", "density")]
+    folder, four = tmp_path / "land", ["--neighbourhood", "von_neumann"]
+    run("align", *layers, "--res", 200, "-o", folder)
+    straight = [len(name) == 1 for name in DIRECTIONS]
+    for clock in ([], ["--clock"]):
+        path = tmp_path / f"network{len(clock)}.tif"
+        run("network", folder, *four, *clock, "-o", path)
+        network = read_network(path)
+        assert network.probability[straight].any()
+        assert not network.probability[np.logical_not(straight)].any()
+    sizes = {}
+    for name in ("moore", "von_neumann"):
+        words = ["--neighbourhood", name, "--runs", 30, "--json"]
+        run("burn", folder, *words, "-o", tmp_path / f"{name}.tif")
+        run("plan", *layers, "--res", 200, "--method", "degree", *words, "-o", tmp_path / name)
+        sizes[name] = json.loads((tmp_path / name / "run.json").read_text())["summary"]["burnt_share_without_breaks"]
+    assert sizes["von_neumann"] < sizes["moore"]
+    assert "is a network" in run("burn", tmp_path / "network0.tif", *four, "-o", tmp_path / "no.tif", code=2)

@@ -63,7 +63,9 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
     told = {
         key: value
         for key, value in recorded().items()
-        if key in ("model", "wind_uv", *WEATHER) or (key == "clock" and value)
+        if key in ("model", "wind_uv", *WEATHER)
+        or (key == "clock" and value)
+        or (key == "neighbourhood" and value != "moore")
     }
     tags = (
         provenance({**told, "model_params": [f"{name}={value}" for name, value in spread.model_params.items()]})

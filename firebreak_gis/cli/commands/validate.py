@@ -129,6 +129,8 @@ def command(
     wind = None
     if not whole:
         params = dict(spread.model_params)
+        if spread.neighbourhood != "moore":
+            params["neighbourhood"] = spread.neighbourhood  # refused: a network is made
         if isinstance(spread.wind_speed, float) and isinstance(spread.wind_from, float):
             wind = (spread.wind_speed, spread.wind_from)
     else:
