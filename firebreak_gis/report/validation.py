@@ -20,10 +20,10 @@ _NULLS = {
     "ellipse": ("#8d5a97", (0, (1, 1.2)), "wind ellipse"),
 }
 _NAMES = {
-    "simulated": "simulated (half of the runs)",
-    "shape": "simulated, its likeliest cells",
+    "simulated": "simulated, in half of runs",
+    "shape": "simulated, likeliest cells",
     "none": "null: no growth",
-    "distance": "null: equal distance in fuel",
+    "distance": "null: equal distance",
     "ellipse": "null: wind ellipse",
 }
 #: Land around what burns, as a share of its extent.
@@ -202,4 +202,4 @@ def _scores(axes: Axes, result: Validation) -> None:
 def _wrapped(sentences: list[str]) -> list[str]:
     import textwrap
 
-    return [line for sentence in sentences for line in textwrap.wrap(sentence, 96, subsequent_indent="   ")]
+    return [line for sentence in sentences for line in textwrap.wrap(sentence, 88, subsequent_indent="   ")]
