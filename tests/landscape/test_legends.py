@@ -287,7 +287,10 @@ PLAIN = "code,vegetation,density,label\n10,pines,dense,a\n20,0.55,,b\n30,none,,\
         PLAIN.encode("utf-16"),
         PLAIN.replace(",", "\t").encode("utf-16"),
         b"\xfe\xff" + PLAIN.encode("utf-16-be"),
+        PLAIN.encode("utf-16-le"),
+        PLAIN.encode("utf-16-be"),
         PLAIN.encode("utf-8-sig"),
+        "sep=;\n" + PLAIN.replace(",", ";"),
         PLAIN.replace("\n", ",,\n") + ",,,,,\n",  # as spreadsheets fill lines up
         PLAIN.replace("\n", "\r\n"),
         "# why, and; how\n" + PLAIN.replace(",", ";"),

@@ -213,10 +213,13 @@ def read_legend(name_or_path: str | os.PathLike[str] | Legend) -> Legend:
 
 
 def _decoded(content: bytes, name: str) -> str:
-    """Text of a file: UTF-16 if it begins with the mark of it, else UTF-8."""
-    marked = content.startswith((b"\xff\xfe", b"\xfe\xff"))
+    """Text of a file: UTF-16 if it begins with the mark of it, or with a letter beside a zero, else UTF-8."""
+    wide = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16"}.get(content[:2])
+    wide = wide or {(True, False): "utf-16-le", (False, True): "utf-16-be"}.get(
+        (content[1:2] == b"\0", content[:1] == b"\0")
+    )
     try:
-        return content.decode("utf-16" if marked else "utf-8-sig")
+        return content.decode(wide or "utf-8-sig")
     except UnicodeDecodeError as error:
         raise LegendError(f"the legend {name} is not UTF-8 text; save it as CSV UTF-8") from error
 
@@ -243,6 +246,8 @@ def parse(text: str, name: str, where: str, *, folder: Path | None = None, withi
         Naming all problems with their line numbers.
     """
     lines = [(number, line) for number, line in enumerate(text.splitlines(), start=1) if line.strip(" \t,;")]
+    if lines and re.fullmatch(r"sep=.", lines[0][1].strip(), re.IGNORECASE):  # as spreadsheets begin
+        del lines[0]
     about = tuple(line.strip().lstrip("# ") for _, line in lines if line.lstrip().startswith("#"))
     rows = [(number, line) for number, line in lines if not line.lstrip().startswith("#")]
     delimiter = _delimiter([line for _, line in rows])
