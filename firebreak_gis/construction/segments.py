@@ -85,6 +85,13 @@ def segments(
     * `stage_gain_share`: that of the whole stage, the same for all its segments. Before its last segment a stage saves
       hardly anything.
 
+    Where the network has times and heat, also
+
+    * `intensity_kw_m`, `flame_length_m`: of the fire that the segment must stop, from the fuel about it, see
+      `simulation.holding.fire_before`; means over its cells;
+    * `breach`: share of such fires that breach it at its width, by Wilson 1988 (doi 10.1139/x88-104);
+    * `width_wilson_m`, `width_flames_m`: width that 5 % of them would breach by Wilson, and 1.5 flame lengths.
+
     Two pieces of break between the same compartments are two segments. On a torus lines end at the seam. Cost:
     linear in the cells; in the number of segments at most quadratic, with small factors.
     """
@@ -117,6 +124,7 @@ def segments(
         "gain_share": share,
         "stage_gain_share": np.bincount(stage, weights=share)[stage] if stage.size else share,
         **_columns(network, owner, order, price, _slope(network, elevation)),
+        **_holding(network, owner, order, cut),
     }
     return _frames(network, owner, order, columns, borders)
 
@@ -261,6 +269,30 @@ def _columns(
     }
 
 
+def _holding(network: SpreadNetwork, owner: np.ndarray, order: np.ndarray, cut: np.ndarray) -> dict[str, np.ndarray]:
+    """What segments must stop, and how wide they would have to be; nothing for a network that does not tell."""
+    from firebreak_gis.simulation import holding
+
+    if network.heat is None or network.travel_time is None:
+        return {}
+    hold = holding.Hold(share=None)
+    intensity, trees = holding.fire_before(network, hold)
+    width = holding.widths(cut, network.grid.cell_size)
+    planes = {
+        "intensity_kw_m": intensity,
+        "flame_length_m": holding.flame_length(intensity),
+        "breach": holding.breach(intensity, width, trees=trees),
+        "width_wilson_m": holding.width_needed(intensity, trees=trees),
+        "width_flames_m": hold.flames * holding.flame_length(intensity),
+    }
+    inside = owner >= 0
+    cells = np.maximum(np.bincount(owner[inside]), 1)
+    return {
+        name: (np.bincount(owner[inside], weights=plane.ravel()[inside]) / cells)[order]
+        for name, plane in planes.items()
+    }
+
+
 def _frames(
     network: SpreadNetwork, owner: np.ndarray, order: np.ndarray, columns: dict[str, np.ndarray], borders: Borders
 ) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
@@ -276,7 +308,7 @@ def _frames(
     length = np.full(order.size, np.nan)
     length[lined] = [line.length for line in lines]
     sizes = {"length_m": length, "width_m": columns["area_ha"] * 10_000.0 / length}
-    names = (
+    names: tuple[str, ...] = (
         "order",
         "stage",
         "length_m",
@@ -291,6 +323,7 @@ def _frames(
         "gain_share",
         "stage_gain_share",
     )
+    names += tuple(name for name in columns if name not in names)
     table = {"order": np.arange(1, order.size + 1), **columns, **sizes}
     table = {name: table[name] for name in names}
     polygons = gpd.GeoDataFrame(

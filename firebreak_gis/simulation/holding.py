@@ -217,18 +217,39 @@ def chances(network: SpreadNetwork, cut: np.ndarray, hold: Hold, intensity: np.n
     """
     if hold.share is not None:
         return np.where(cut, hold.share, 0.0)
+    mean, trees = fire_before(network, hold, intensity)
+    width = widths(cut, network.grid.cell_size)
+    if hold.rule == "flames":
+        return np.where(cut & (width >= hold.flames * flame_length(mean)), 1.0, 0.0)
+    return np.where(cut, 1.0 - breach(mean, width, trees=trees), 0.0)
+
+
+def fire_before(
+    network: SpreadNetwork, hold: Hold, intensity: np.ndarray | None = None
+) -> tuple[np.ndarray, np.ndarray]:
+    """The fire that a break in each cell must stop, from the fuel of the block of the map, whatever is cut.
+
+    Returns
+    -------
+    intensity : numpy.ndarray
+        (rows, cols) float64, mean over the fuel of the fastest fire that can leave each cell [kW/m].
+    trees : numpy.ndarray
+        (rows, cols) bool, whether a tenth of the fuel counts as trees.
+    """
+    what = "hold by flames"
     if intensity is None:
-        intensity = strongest(network, "hold by flames")
+        intensity = strongest(network, what)
     block = stretches(network.shape, network.grid.cell_size, hold.length)
     fuel = network.burnable
     n = np.maximum(np.bincount(block[fuel], minlength=int(block.max()) + 1), 1)
-    mean = (np.bincount(block[fuel], weights=intensity[fuel], minlength=n.size) / n)[block]
-    width = widths(cut, network.grid.cell_size)
-    if hold.rule == "flames":
-        return np.where(cut & (width >= hold.flames * 0.0775 * mean**0.46), 1.0, 0.0)
-    heavy = network.require_heat("hold by flames") >= hold.trees_heat
-    trees = (np.bincount(block[fuel], weights=heavy[fuel], minlength=n.size) / n >= 0.1)[block]
-    return np.where(cut, 1.0 - breach(mean, width, trees=trees), 0.0)
+    heavy = network.require_heat(what) >= hold.trees_heat
+    mean, share = (np.bincount(block[fuel], weights=plane[fuel], minlength=n.size) / n for plane in (intensity, heavy))
+    return mean[block], (share >= 0.1)[block]
+
+
+def flame_length(intensity: np.ndarray) -> np.ndarray:
+    """Flame length [m] of a fire line [kW/m], Byram 1959."""
+    return np.asarray(0.0775 * np.asarray(intensity) ** 0.46)
 
 
 def build_walls(

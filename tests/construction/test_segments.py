@@ -411,3 +411,33 @@ def test_sample_landscape(sample, tmp_path):
         assert again.crs == frame.crs == network.grid.crs
         assert again.drop(columns="geometry").columns.tolist() == frame.drop(columns="geometry").columns.tolist()
         assert len(again) == len(frame)
+
+
+def test_segments_tell_what_they_must_stop_where_the_network_has_times_and_heat():
+    shape = (40, 60)
+    heat = np.full(shape, 8_000.0)
+    heat[:, 40:] = 50_000.0
+    network = SpreadNetwork(
+        np.full((8, *shape), 0.5),
+        crs="EPSG:32635",
+        transform=PLACE,
+        travel_time=np.full((8, *shape), 80),
+        heat=heat,
+    )
+    cut = np.zeros(shape, bool)
+    cut[:, 10] = cut[:, 50:53] = True
+    lines, polygons = segments(network, cut)
+    told = ["intensity_kw_m", "flame_length_m", "breach", "width_wilson_m", "width_flames_m"]
+    assert list(polygons.columns) == [*COLUMNS[:-1], *told, "geometry"]
+    assert list(lines.columns) == list(polygons.columns)
+    for _, row in polygons.iterrows():
+        grass = row["cells"] == 40
+        intensity = (8_000.0 if grass else 50_000.0) * 20.0 * math.sqrt(2) / 80.0
+        width, b = (20.0, 0.99) if grass else (60.0, 0.38)
+        assert row["intensity_kw_m"] == pytest.approx(intensity, rel=1e-5)
+        assert row["flame_length_m"] == pytest.approx(0.0775 * intensity**0.46, rel=1e-5)
+        z = math.exp(1.36 + 0.00036 * intensity - b * width)
+        assert row["breach"] == pytest.approx(z / (1 + z), rel=1e-4)
+        needed = row["width_wilson_m"]
+        assert math.exp(1.36 + 0.00036 * intensity - b * needed) == pytest.approx(0.05 / 0.95, rel=1e-4)
+        assert row["width_flames_m"] == pytest.approx(1.5 * row["flame_length_m"])
