@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from affine import Affine
 
-from firebreak_gis import SpreadNetwork, burn_curve, select_breaks, simulate
+from firebreak_gis import SpreadNetwork, burn_curve, select_breaks, simulate, spread_network
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.kernels import draws
 from firebreak_gis.lattice import NEVER, OPPOSITE
@@ -424,3 +424,29 @@ def test_what_a_network_lacks_is_said():
         simulate(cold, hold=1.2, n_runs=3)
     with pytest.raises(ParameterError, match="weather"):
         simulate(cold, duration="weather", n_runs=3)
+
+
+def test_wind_drives_head_flanks_and_back_as_the_formula_says(make_landscape):
+    """Flat, dense pines, where every edge opens: distances after four hours against the rates along the axes."""
+    landscape = make_landscape((161, 161), seed=1, relief=0.0)
+    landscape["vegetation"][:] = 3
+    landscape["density"][:] = 3
+    landscape["burnable"][:] = True
+    landscape["elevation"][:] = 0.0
+    reach = {}
+    for speed in (0.0, 2.0, 4.0):
+        network = spread_network(landscape, wind_speed=speed, wind_from_direction=270.0, clock=True)
+        assert (network.probability[:, 1:-1, 1:-1] == 1.0).all()
+        size = network.grid.cell_size
+        burns = simulate(network, ignitions=at(network, 80, 40), n_runs=1, duration="4h", products=EACH)
+        burnt = burns["arrival"][0].to_numpy() != NEVER
+        reach[speed] = [size * (burnt[80, 41:].sum()), size * burnt[80, :40].sum(), size * burnt[:80, 40].sum()]
+    head, back, flank = (np.array([reach[v][k] for v in (2.0, 4.0)]) for k in range(3))
+    calm = reach[0.0][0]
+    assert reach[0.0] == [calm] * 3
+    assert calm == pytest.approx(200.0 * 4, abs=size)  # conifers without wind go 200 m/h
+    along = np.exp(0.1783 * np.array([2.0, 4.0]))
+    np.testing.assert_allclose(head, calm * along, atol=2 * size)
+    np.testing.assert_allclose(back, calm / along, atol=2 * size)
+    assert (flank >= calm - size).all()  # cos 90 = 0 straight across, and faster obliquely
+    assert reach[4.0][0] > reach[2.0][0] > calm
