@@ -19,7 +19,7 @@ cost_default = click.option(
     "--cost-default",
     type=float,
     metavar="NUMBER",
-    help="Cost per hectare where --cost tells none [default: nothing is cut there].",
+    help="Cost per hectare where --cost tells none; alone, everywhere [default: nothing is cut there].",
 )
 
 

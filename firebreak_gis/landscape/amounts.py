@@ -64,6 +64,7 @@ def value_at_risk(
         raise ParameterError(f"values are taken as {values_as!r}, expected amount or density")
     if is_vector(source):
         return _drawn(source, grid, field, values_as, account)
+    _require_no_field(source, field, "values")
     if values_as == "amount":
         header = open_header(source)
         plane = align_amounts(header, grid, "values", account, settle=lambda values: _counted(values, header))
@@ -81,7 +82,7 @@ def value_at_risk(
 
 
 def cost_per_hectare(
-    source: Source,
+    source: Source | None,
     grid: Grid,
     *,
     field: str | None = None,
@@ -94,7 +95,7 @@ def cost_per_hectare(
     ----------
     source
         Raster on any grid, interpolated or averaged; or polygons, of which each cell whose centre lies inside takes
-        the number in `field`, the last one where they overlap.
+        the number in `field`, the last one where they overlap. None tells nothing.
     grid
         The grid of the network.
     field
@@ -117,11 +118,14 @@ def cost_per_hectare(
     account = Account() if account is None else account
     if default is not None and not (np.isfinite(default) and default >= 0):
         raise ParameterError(f"the cost where none is known is {default}, expected a number of at least 0")
-    if is_vector(source):
+    if source is None:
+        plane = np.full(grid.shape, np.nan)
+    elif is_vector(source):
         if field is None:
             raise ParameterError("cost polygons need the column that holds the cost a hectare; name it (--cost-field)")
         plane = _priced(source, grid, field, account)
     else:
+        _require_no_field(source, field, "cost")
         plane = value_plane(source, grid, what="cost", account=account, settle=_a_hectare)
     if default is not None:
         missing = int(np.count_nonzero(np.isnan(plane)))
@@ -132,6 +136,11 @@ def cost_per_hectare(
             )
         plane = np.where(np.isnan(plane), default, plane)
     return plane
+
+
+def _require_no_field(source: Source, field: str | None, what: str) -> None:
+    if field is not None:
+        raise ParameterError(f"{what}: {source} is a raster and has no columns; leave --{what}-field out")
 
 
 def numbers_of(frame: gpd.GeoDataFrame, field: str | None, what: str) -> np.ndarray:

@@ -45,7 +45,7 @@ class StakesRequest:
     cost, cost_field
         Cost of cutting per hectare: a raster, polygons with their column, or a rate by vegetation class.
     cost_default
-        Cost per hectare where `cost` tells none; without it nothing is cut there.
+        Cost per hectare where `cost` tells none; without it nothing is cut there. Alone it is the cost everywhere.
     protected, allowed
         Where nothing may be cut, and outside of which nothing may be cut.
     protected_rule
@@ -117,7 +117,7 @@ class StakesRequest:
                 readers[name] = partial(
                     mask_plane, source, grid, what=name, rule=rule, solid=name == "barriers", account=account
                 )
-        if self.cost:
+        if self.cost or self.cost_default is not None:
             readers["cost"] = lambda: self._cost(grid, landscape, account)
         if self.values:
             readers["value"] = lambda: value_at_risk(

@@ -186,6 +186,16 @@ def test_cost_polygons_need_their_column_and_none_vanishes(tmp_path):
             cost_per_hectare(frame, GRID, field="c", default=wrong)
 
 
+def test_one_cost_for_all_and_columns_of_rasters(tmp_path):
+    planes = StakesRequest(cost_default=500).read(GRID, fuel=FUEL)
+    np.testing.assert_allclose(planes.cost, 20.0)
+    path = write(tmp_path / "r.tif", np.ones((40, 60)))
+    with pytest.raises(ParameterError, match=r"is a raster and has no columns; leave --cost-field out"):
+        cost_per_hectare(path, GRID, field="c")
+    with pytest.raises(ParameterError, match=r"is a raster and has no columns; leave --values-field out"):
+        value_at_risk(path, GRID, field="c")
+
+
 def test_value_where_nothing_burns_is_told(tmp_path):
     frame = drawn(shapely.box(0, 0, 10, 4), people=[100])
     frame.to_file(tmp_path / "v.gpkg")

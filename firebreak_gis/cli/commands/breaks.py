@@ -75,7 +75,7 @@ def command(
         require_writable(name, overwrite=output.overwrite, forbid=inputs)
     ranking = read_priority(priority, session, foreign=foreign)
     prices = None
-    if cost:
+    if cost or cost_default is not None:
         ranking, prices = _priced(ranking, session, StakesRequest(cost, cost_field, cost_default))
     amount, made = Budget(budget, budget_unit), Budget.made_for(ranking)
     breaks = select_breaks(ranking, budget=amount, cost=prices)
