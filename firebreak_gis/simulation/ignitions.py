@@ -105,6 +105,17 @@ def ignition_places(
         If `outside` is neither.
     InputError
         If a place cannot burn, none is left, or weights are NaN on fuel, negative, infinite or all zero.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from firebreak_gis import SpreadNetwork
+    >>> network = SpreadNetwork(np.full((8, 4, 5), 0.5))  # cells of 1 x 1, rows from y = 0 to -4
+    >>> places = ignition_places(network, [(0.5, -0.5), (99.0, 0.0)], outside="drop")
+    >>> places.cells
+    array([0])
+    >>> places.notes
+    ('ignitions: 1 of 2 were left out, 1 outside the grid and 0 on cells without fuel',)
     """
     if outside not in ("refuse", "drop"):
         raise ParameterError(f"ignitions outside are {outside!r}, expected 'refuse' or 'drop'")
