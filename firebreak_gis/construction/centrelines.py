@@ -143,6 +143,59 @@ def draw_lines(borders: Borders, transform: Affine) -> list[shapely.Geometry]:
     return lines
 
 
+def middle_line(outline: shapely.Geometry, border: shapely.Geometry | None) -> shapely.Geometry:
+    """Return the line of a segment, inside its polygon.
+
+    Parameters
+    ----------
+    outline
+        Polygon of the cells of the segment.
+    border
+        Line along which it separates two compartments. The cells about its ends may belong to other segments. None for
+        a segment that separates nothing: its line is the long axis of its largest part.
+    """
+    import shapely
+
+    if border is not None:
+        inside = border if outline.covers(border) else _lines_of(shapely.intersection(border, outline))
+        if inside.length > 0:
+            return inside
+    part = max(shapely.get_parts(outline), key=lambda polygon: polygon.area)
+    corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(part))[:4]
+    if np.hypot(*(corners[1] - corners[0])) < np.hypot(*(corners[2] - corners[1])):
+        corners = np.roll(corners, -1, axis=0)
+    ends = (corners[[1, 0]] + corners[[2, 3]]) / 2
+    axis = shapely.LineString(ends[np.lexsort((ends[:, 1], ends[:, 0]))])
+    inside = _lines_of(shapely.intersection(axis, part))
+    if inside.length > 0:
+        return inside
+    y = part.representative_point().y
+    left, _, right, _ = part.bounds
+    return _lines_of(shapely.intersection(shapely.LineString([(left, y), (right, y)]), part))
+
+
+def mean_width(outline: shapely.Geometry) -> float:
+    """Return the width of the rectangle with the area and the perimeter of a polygon; of several, their mean by area.
+
+    For a band of even width, straight or with corners, it is what can be measured across it; for cells that meet at
+    corners only, a cell's.
+    """
+    import shapely
+
+    parts = shapely.get_parts(outline)
+    area, round_ = shapely.area(parts), shapely.length(parts)
+    width = (round_ - np.sqrt(np.maximum(round_**2 - 16.0 * area, 0.0))) / 4.0
+    return float((width * area).sum() / area.sum())
+
+
+def _lines_of(geometry: shapely.Geometry) -> shapely.Geometry:
+    """The lines among what an intersection left, joined."""
+    import shapely
+
+    parts = [part for part in shapely.get_parts(geometry) if part.geom_type == "LineString" and not part.is_empty]
+    return shapely.line_merge(shapely.MultiLineString(parts))
+
+
 def _smooth(points: np.ndarray) -> shapely.LineString:
     import shapely
 

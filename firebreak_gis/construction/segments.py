@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.construction.centrelines import Borders, draw_lines, find_borders
+from firebreak_gis.construction.centrelines import Borders, draw_lines, find_borders, mean_width, middle_line
 from firebreak_gis.construction.compartments import Compartments, split, weights
 from firebreak_gis.construction.sequence import construction_order, gains
 from firebreak_gis.grid import outlines
@@ -56,7 +56,7 @@ def segments(
     Returns
     -------
     lines : geopandas.GeoDataFrame
-        Middle lines of the segments that separate compartments, sorted by `order`.
+        Middle lines of the same segments, inside the polygons, sorted by `order`.
     polygons : geopandas.GeoDataFrame
         Outlines of all segments, sorted by `order`; valid.
 
@@ -74,7 +74,9 @@ def segments(
     * `order`: place in the order of construction, from 1, see `firebreak_gis.construction.sequence.construction_order`;
     * `stage`: segments of one stage lie between the same two compartments of what is built by then, and work only
       once all of them stand;
-    * `length_m`, `width_m` (mean: area / length): NaN for segments without a line;
+    * `length_m`: of the line;
+    * `width_m`: mean width of the polygon, see `firebreak_gis.construction.centrelines.mean_width`; a cell's for a wall
+      that is one cell wide;
     * `cells`, `area_ha`;
     * `mean_slope_deg`: of the terrain at the cells by Horn's weights, NaN without elevation;
     * `cost`;
@@ -302,12 +304,15 @@ def _frames(
     grid = network.grid
     number = np.zeros(int(owner.max(initial=-1)) + 2, np.int32)  # the last entry is for cells in no segment
     number[order] = np.arange(1, order.size + 1)
+    outlined = outlines(number[owner].reshape(network.shape), order.size, grid)
     drawn = draw_lines(borders, grid.transform)
-    lined = np.flatnonzero(order < len(drawn))
-    lines = [drawn[i] for i in order[lined]]
-    length = np.full(order.size, np.nan)
-    length[lined] = [line.length for line in lines]
-    sizes = {"length_m": length, "width_m": columns["area_ha"] * 10_000.0 / length}
+    lines = [
+        middle_line(outline, drawn[i] if i < len(drawn) else None) for i, outline in zip(order, outlined, strict=True)
+    ]
+    sizes = {
+        "length_m": np.array([line.length for line in lines]),
+        "width_m": np.array([mean_width(outline) for outline in outlined]),
+    }
     names: tuple[str, ...] = (
         "order",
         "stage",
@@ -326,7 +331,7 @@ def _frames(
     names += tuple(name for name in columns if name not in names)
     table = {"order": np.arange(1, order.size + 1), **columns, **sizes}
     table = {name: table[name] for name in names}
-    polygons = gpd.GeoDataFrame(
-        table, geometry=outlines(number[owner].reshape(network.shape), order.size, grid), crs=grid.crs
+    return (
+        gpd.GeoDataFrame(table, geometry=lines, crs=grid.crs),
+        gpd.GeoDataFrame(table, geometry=outlined, crs=grid.crs),
     )
-    return gpd.GeoDataFrame({name: table[name][lined] for name in names}, geometry=lines, crs=grid.crs), polygons

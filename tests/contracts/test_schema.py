@@ -27,7 +27,7 @@ def test_every_variable_is_whole(name):
         outside = (variable.minimum is not None and variable.nodata < variable.minimum) or (
             variable.maximum is not None and variable.nodata > variable.maximum
         )
-        assert outside or name in ("priority", "burn_count", "value_lost")
+        assert outside or name in ("priority", "burn_count", "value_lost", "grey_level")  # 0 is no fuel there
     if variable.classes:
         assert set(variable.classes) == set(variable.colours)
         assert variable.nodata not in variable.classes
