@@ -61,16 +61,50 @@ def write_manifest(
     """
     target = Path(path)
     document = {
+        **_beginning(command, parameters, [_input(p) for p in inputs], account),
+        "outputs": [_output(p, target.parent) for p in outputs],
+    }
+    return _write(target, document, overwrite=overwrite)
+
+
+def _write(target: Path, document: Mapping[str, Any], *, overwrite: bool) -> Path:
+    write_text(target, json.dumps(document, indent=2, ensure_ascii=False) + "\n", overwrite=overwrite)
+    return target
+
+
+def told(command: str, how: Writing, account: Mapping[str, Any]) -> dict[str, Any]:
+    """What `run.json` will hold but for the outputs, for a report that is written before it.
+
+    Parameters
+    ----------
+    command
+        Name of the command.
+    how
+        How the run writes; the inputs are looked at once.
+    account
+        As in `write_manifest`.
+    """
+    return _beginning(command, how.parameters, _inputs(how), account)
+
+
+def _beginning(
+    command: str, parameters: Mapping[str, Any], inputs: list[dict[str, Any]], account: Mapping[str, Any]
+) -> dict[str, Any]:
+    return {
         "software": SOFTWARE,
         "version": __version__,
         "command": command,
         "parameters": plain(parameters),
-        "inputs": [_input(p) for p in inputs],
+        "inputs": inputs,
         **plain(account),
-        "outputs": [_output(p, target.parent) for p in outputs],
     }
-    write_text(target, json.dumps(document, indent=2, ensure_ascii=False) + "\n", overwrite=overwrite)
-    return target
+
+
+def _inputs(how: Writing) -> list[dict[str, Any]]:
+    """Entries of the inputs, made once a run: hashing large rasters takes its time."""
+    if not how.entries:
+        how.entries.extend(_input(path) for path in how.inputs)
+    return how.entries
 
 
 def account(command: str, tell: Callable[[R], Mapping[str, Any]]) -> Output[R]:
@@ -85,15 +119,9 @@ def account(command: str, tell: Callable[[R], Mapping[str, Any]]) -> Output[R]:
     """
 
     def write(result: R, path: Path, how: Writing) -> None:
-        write_manifest(
-            path,
-            command=command,
-            parameters=how.parameters,
-            inputs=how.inputs,
-            outputs=how.written,
-            account=tell(result),
-            overwrite=how.overwrite,
-        )
+        document = told(command, how, tell(result))
+        document["outputs"] = [_output(name, path.parent) for name in how.written]
+        _write(path, document, overwrite=how.overwrite)
 
     return Output("run.json", "Account of the run", write)
 
@@ -142,6 +170,23 @@ def read_config(path: str | os.PathLike[str]) -> dict[str, Any]:
     if not isinstance(parameters, dict):
         raise ParameterError(f"'parameters' in {path} is not a table")
     return parameters
+
+
+def read_account(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """Read the `run.json` of an earlier run.
+
+    Raises
+    ------
+    InputError
+        If there is none, or it is no account of a run of this program.
+    """
+    try:
+        document = _read_document(path)
+    except ParameterError as error:
+        raise InputError(f"{path} cannot be read as the account of a run: {error}") from error
+    if document.get("software") != SOFTWARE or "command" not in document:
+        raise InputError(f"{path} is not the account of a run of {SOFTWARE}")
+    return document
 
 
 def is_shared_config(path: str | os.PathLike[str]) -> bool:

@@ -40,6 +40,8 @@ class Writing:
         Provenance of rasters.
     written
         Files written so far.
+    entries
+        What the account says of the inputs, once they were looked at.
     """
 
     overwrite: bool = False
@@ -49,6 +51,7 @@ class Writing:
     parameters: Mapping[str, Any] = field(default_factory=dict)
     tags: Mapping[str, str] = field(default_factory=dict)
     written: list[Path] = field(default_factory=list)
+    entries: list[dict[str, Any]] = field(default_factory=list)
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.construction.writing import write_compartments, write_segments
 from firebreak_gis.files import write_text
-from firebreak_gis.files.outputs import Output, Writing, write_all
+from firebreak_gis.files.outputs import Output, Writing, labels, names, write_all
 from firebreak_gis.landscape.folder import OUTPUTS as LAYERS
-from firebreak_gis.manifest import account, provenance
+from firebreak_gis.manifest import account, provenance, told
 from firebreak_gis.progress import Progress
 from firebreak_gis.rasters import files_behind, write_raster
 from firebreak_gis.vectors import write_vector
@@ -84,6 +84,25 @@ def _overview(plan: Plan, path: Path, how: Writing) -> None:
     save(figure, path, overwrite=how.overwrite)
 
 
+def _page(plan: Plan, path: Path, how: Writing) -> None:
+    from firebreak_gis.report.page import render
+    from firebreak_gis.report.page.plan import plan_page
+
+    parts = {
+        **{f"{name}.tif": plan.landscape[name] for name in ("elevation", "vegetation", "density")},
+        "breaks.tif": plan.breaks,
+        "burn_frequency.tif": plan.before["burn_frequency"],
+        "burn_frequency_with_breaks.tif": plan.after["burn_frequency"],
+        "segments.gpkg": plan.segments[1],
+        "compartments.gpkg": plan.compartments,
+        "evaluation.csv": _evaluation(plan),
+    }
+    present = names(OUTPUTS, plan.landscape)
+    files = [(name, label) for name, label in labels(OUTPUTS).items() if name in present]
+    text = render(plan_page(parts, told("plan", how, _account(plan)) | {"files": files}))
+    write_text(path, text, overwrite=how.overwrite)
+
+
 def _account(plan: Plan) -> dict[str, Any]:
     return {
         "grid": plan.network.grid.describe(),
@@ -112,6 +131,7 @@ OUTPUTS: tuple[Output[Plan], ...] = (
     _table("evaluation.csv", "Burnt share at every budget", _evaluation),
     _table("evaluation_runs.csv", "Cells burnt in every run of it", _evaluation_runs),
     Output("overview.png", "Picture of the plan", _overview),
+    Output("report.html", "The plan on one page: map, segments, doubt; opens in any browser", _page, main=True),
     account("plan", _account),
 )
 

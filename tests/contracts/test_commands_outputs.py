@@ -40,6 +40,7 @@ GIVEN = {
     "start": "start.tif",
     "duration": "1h",
     "fit": "rate",
+    "run": "compared",
 }
 #: What the same name means elsewhere.
 OWN = {"calibrate": {"folder": "cases.csv"}, "burn": {"duration": "inf"}}
@@ -105,6 +106,8 @@ def template(tmp_path_factory):
     (folder / "cases.csv").write_text("landscape,scar,start,duration\nland,scar.tif,start.tif,1h\n")
     layers = [str(folder / f"{name}.tif") for name in ("dem", "vegetation", "density")]
     assert call("align", *layers, "-o", folder / "land").exit_code == 0
+    words = ["--methods", "degree,random", "--budgets", "0.1", "--residuals", "0", "--runs", "3"]
+    assert call("compare", folder / "net.tif", *words, "-o", folder / "compared").exit_code == 0
     (folder / "numbers.csv").write_text("code,vegetation\n0,none\n1,agricultural\n2,0.1\n3,pines\n")
     return folder
 

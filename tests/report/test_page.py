@@ -173,7 +173,7 @@ def test_a_plan_becomes_a_page():
 
 
 def test_a_page_of_a_comparison_sorts_numbers_as_numbers():
-    table = pd.DataFrame({"method": ["b", "a"], "d_f": [0.1, 0.1], "residual": [0.0, 0.0], "mean": [0.5, np.nan]})
+    table = pd.DataFrame({"method": ["b", "a"], "d_f": [0.1, 0.1], "residual": [0.0, 0.0], "R": [0.5, np.nan]})
     page = comparison_page(table, {})
     found = read(render(page)).tags
     keys = [a["data-key"] for name, a in found if name == "td"]

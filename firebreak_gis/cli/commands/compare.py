@@ -18,7 +18,7 @@ from firebreak_gis.errors import FirebreakError, ParameterError, raise_together
 from firebreak_gis.files.outputs import Output, Writing
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
-from firebreak_gis.manifest import account
+from firebreak_gis.manifest import account, told
 from firebreak_gis.plugins import build_params, load
 from firebreak_gis.simulation.request import FireRequest
 
@@ -59,12 +59,27 @@ def _picture(compared: _Compared, path: Path, how: Writing) -> None:
     save(compared.figure, path, overwrite=how.overwrite)
 
 
+def _page(compared: _Compared, path: Path, how: Writing) -> None:
+    from firebreak_gis.files import write_text
+    from firebreak_gis.files.outputs import labels
+    from firebreak_gis.report.page import render
+    from firebreak_gis.report.page.plan import comparison_page
+
+    known = told("compare", how, _told(compared)) | {"files": list(labels(OUTPUTS).items())}
+    write_text(path, render(comparison_page(compared.rows, known)), overwrite=how.overwrite)
+
+
+def _told(compared: _Compared) -> dict[str, object]:
+    return {"n_burnable": compared.n_burnable, **compared.told}
+
+
 #: What the command writes into its folder.
 OUTPUTS: tuple[Output[_Compared], ...] = (
     Output("comparison.csv", "Every ranking at every budget and leak, with intervals", _csv),
     Output("comparison.png", "Curves of the rankings", _picture),
     Output("comparison.svg", "Curves of the rankings, to scale", _picture),
-    account("compare", lambda compared: {"n_burnable": compared.n_burnable, **compared.told}),
+    Output("report.html", "The comparison on one page; opens in any browser", _page, main=True),
+    account("compare", _told),
 )
 
 

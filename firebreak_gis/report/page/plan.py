@@ -75,7 +75,7 @@ def comparison_page(table: pd.DataFrame, account: Mapping[str, Any]) -> Page:
     lines = []
     for method, rows in perfect.groupby("method", sort=False):
         rows = rows.sort_values("d_f")
-        lines.append((str(method), rows["d_f"].tolist(), rows["mean"].tolist()))
+        lines.append((str(method), rows["d_f"].tolist(), rows["R"].tolist()))
     curve = None
     if lines and len(lines[0][1]) > 1:
         note = "Mean burnt share of the fuel in the simulated fires"
