@@ -159,6 +159,12 @@ def test_sizes_calibrate_durations(place, tmp_path):
     assert (result["n_fires"], result["n_parameters"]) == (7, 3)
     assert result["observed"]["median_ha"] == 4.5
     assert "an assumption" in config.read_text()
+    burnt = run("burn", place / "land", "--config", config, "-o", tmp_path / "f.tif", "--runs", 20, "--json")
+    assert burnt.exit_code == 0, burnt.output
+    told = " ".join(json.loads(burnt.stdout)["result"]["assumptions"])
+    assert "lognormal" in told
+    assert "at most 20 h" in told
+    assert ROSE in told
 
 
 def test_bad_calibrations_are_refused(place, tmp_path):

@@ -117,6 +117,21 @@ def test_calibration_finds_the_rate_that_made_the_fires(land, true_fire):
     assert any("no fire could be left out" in note for note in alone.notes)
 
 
+def test_calibration_takes_the_p0_of_the_best_shapes(land, true_fire, monkeypatch):
+    from firebreak_gis.evaluation import calibration
+
+    monkeypatch.setattr(calibration, "P0_TRIED", (0.3, 0.58))
+    scar, start = true_fire
+    cases = [Case(land, scar, start, "2h", ROSE, name=str(i)) for i in range(3)]
+    both = calibrate_scars(cases, fit=("rate", "p0"), n_runs=30)
+    shapes = {p0: calibrate_scars(cases[:1], n_runs=30, p0=p0).table["shape_growth_iou"][0] for p0 in (0.3, 0.58)}
+    best = max(shapes, key=shapes.get)
+    assert both.parameters["model-param"]["p0"] == best
+    assert both.n_parameters == 2
+    assert both.table["shape_growth_iou"].tolist() == pytest.approx([shapes[best]] * 3)
+    assert both.table["rate_left_out"].notna().all()
+
+
 def test_more_parameters_than_fires_are_refused(land, true_fire):
     case = Case(land, *true_fire, "2h", ROSE)
     with pytest.raises(ParameterError, match=r"1 fires cannot tell 2 parameters \(rate, p0\)"):
@@ -158,6 +173,21 @@ def test_sizes_and_days_tell_durations_and_rates(wide):
     assert config["weather"] == winds
     table = found.table
     assert len(table) == (sizes >= 3).sum()
+
+
+def test_sizes_take_the_p0_that_fits_best(wide, monkeypatch):
+    from firebreak_gis.evaluation import calibration
+
+    monkeypatch.setattr(calibration, "P0_TRIED", (0.35, 0.58))
+    sizes = growth_of(wide, ROSE, longest=6 * 3600.0, n_runs=60, seed=3).at(np.full(60, 4 * 3600.0))
+    fires = pd.DataFrame({"ha": sizes, "days": np.nan})
+    given = {"weather": ROSE, "least": 2.0, "longest": 24 * 3600.0, "n_runs": 60, "fit": ("duration",)}
+    found = calibrate_sizes(wide, fires, **{**given, "fit": ("duration", "p0")})
+    single = {p0: calibrate_sizes(wide, fires, p0=p0, **given).account["anderson_darling"] for p0 in (0.35, 0.58)}
+    assert found.parameters["model-param"]["p0"] == min(single, key=single.get)
+    assert found.account["anderson_darling"] == min(single.values())
+    assert found.account["rate_scale"] == 1.0
+    assert "rate_scale" not in found.parameters["model-param"]
 
 
 def test_growth_scales_with_the_rate(wide):
