@@ -3,8 +3,9 @@
 Two kinds of observations serve:
 
 * scars with starts, durations and weather (`calibrate_scars`). Fitted is the factor of all rates of spread under which
-  the mean simulated fire is as large as the scar; of several fires, the geometric mean. With `p0` the spread
-  probability is fitted as well, for the likest shapes.
+  the mean simulated fire is as large as the scar; of several fires, the geometric mean. How much fires differ from it
+  is told as the spread of their durations (`duration`). With `p0` the spread probability is fitted as well, for the
+  likest shapes.
 * a table of sizes and days (`calibrate_sizes`). Fitted are the median and the spread of the durations to the sizes, the
   factor of the rates to the fires of which the days are known, and with `p0` the spread probability to the sizes.
 
@@ -93,7 +94,7 @@ class Calibration:
 def calibrate_scars(
     cases: Sequence[Case],
     *,
-    fit: Iterable[str] = ("rate",),
+    fit: Iterable[str] | None = None,
     n_runs: int = 100,
     seed: int = 0,
     threads: int | None = None,
@@ -107,7 +108,7 @@ def calibrate_scars(
     cases
         The fires.
     fit
-        "rate", and perhaps "p0".
+        "rate", and perhaps "duration" and "p0"; by default the rate, and the durations of three fires or more.
     n_runs, seed, threads, progress
         As in `simulate`, for each simulation.
     **params
@@ -127,8 +128,11 @@ def calibrate_scars(
     """
     import pandas as pd
 
-    wanted = _checked(fit, ("rate", "p0"), len(cases))
+    usual = ("rate", "duration") if len(cases) >= PARAMETERS["rate"] + PARAMETERS["duration"] else ("rate",)
+    wanted = _checked(usual if fit is None else {"rate", *fit}, ("rate", "duration", "p0"), len(cases))
     n_parameters = sum(PARAMETERS[name] for name in wanted)
+    # What is foretold of a fire left out rests on rate and p0 alone.
+    enough = len(cases) - 1 >= n_parameters - (PARAMETERS["duration"] if "duration" in wanted else 0)
     tried = P0_TRIED if "p0" in wanted else (None,)
     total = len(cases) * len(tried)
     rates, shapes = np.empty((len(cases), len(tried))), np.empty((len(cases), len(tried)))
@@ -160,16 +164,20 @@ def calibrate_scars(
         row: dict[str, Any] = {"fire": case.name, "observed_ha": observed}
         row |= {"rate": float(rates[i, k]), "shape_growth_iou": float(shapes[i, k])}
         row["size_ratio"], row["growth_iou"] = told(case, k, rate)
-        if len(cases) - 1 >= n_parameters:
+        if enough:
             other, row["rate_left_out"] = fitted(np.delete(everything, i))
             row["size_ratio_left_out"], row["growth_iou_left_out"] = told(case, other, row["rate_left_out"])
         rows.append(row)
     given = {**params, "rate_scale": round(rate, 6), **({} if tried[k] is None else {"p0": tried[k]})}
     notes = ["durations and weather are those given for each fire; its end is taken as the end of its spread"]
-    notes += [] if len(cases) - 1 >= n_parameters else ["no fire could be left out: there are too few"]
-    return Calibration(
-        {"clock": True, "model-param": given}, n_parameters, len(cases), pd.DataFrame(rows), {}, tuple(notes)
-    )
+    notes += [] if enough else ["no fire could be left out: there are too few"]
+    parameters: dict[str, Any] = {"clock": True}
+    if "duration" in wanted:
+        # With the rate of all, a fire of another rate is one of another duration.
+        spread = np.log([case.duration.middle for case in opened]) + np.log(rates[:, k] / rate)
+        parameters["duration"] = f"lognormal:{math.exp(float(spread.mean())):.4g}s,{float(spread.std(ddof=1)):.4g}"
+    parameters["model-param"] = given
+    return Calibration(parameters, n_parameters, len(cases), pd.DataFrame(rows), {}, tuple(notes))
 
 
 def calibrate_sizes(

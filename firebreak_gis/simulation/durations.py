@@ -86,6 +86,19 @@ class Duration:
             drawn = [min(time, *most) for time in drawn] if most else drawn
         return np.array([min(max(round(t), 1), _LONGEST) for t in drawn], np.int64)
 
+    @property
+    def middle(self) -> float:
+        """The duration that half of the fires exceed [s].
+
+        Raises
+        ------
+        ParameterError
+            If only the weather tells it.
+        """
+        if self.kind == "weather":
+            raise ParameterError("durations from the weather need a weather")
+        return self.values[0] if self.kind == "lognormal" else float(np.median(self.values))
+
     def told(self) -> str:
         """The duration in words, for accounts and pictures."""
         if self.kind == "weather":

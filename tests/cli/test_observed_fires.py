@@ -175,7 +175,7 @@ def test_bad_calibrations_are_refused(place, tmp_path):
         ([place / "fires.csv", *out], 3, "lacks landscape, scar, start, duration"),
         ([place / "cases.csv", "--fit", "rate,p0", *out, "--runs", 5, "--config", tmp_path / "no"], 2, "no"),
         ([place / "land", place / "fires.csv", "--weather", ROSE, "--least", 10, *out], 2, "1 fires cannot tell"),
-        ([place / "cases.csv", "--fit", "colour", *out], 2, "expected some of rate, p0"),
+        ([place / "cases.csv", "--fit", "colour", *out], 2, "expected some of rate, duration, p0"),
     ):
         told = run("calibrate", *words)
         assert told.exit_code == code, told.output

@@ -117,6 +117,22 @@ def test_calibration_finds_the_rate_that_made_the_fires(land, true_fire):
     assert any("no fire could be left out" in note for note in alone.notes)
 
 
+def test_three_scars_tell_how_durations_differ(land, true_fire):
+    """The same scar said to have spread for 1, 2 and 4 hours: rates apart by factors of two are durations apart."""
+    scar, start = true_fire
+    found = calibrate_scars(
+        [Case(land, scar, start, f"{hours}h", ROSE, name=str(hours)) for hours in (1, 2, 4)], n_runs=30
+    )
+    assert found.n_parameters == 3
+    assert found.table["rate"].tolist() == pytest.approx([1.0, 0.5, 0.25], rel=0.1)
+    kind, _, words = found.parameters["duration"].partition(":")
+    median, sigma = words.split(",")
+    assert kind == "lognormal"
+    assert float(median[:-1]) == pytest.approx(2 * 3600, rel=0.02)
+    assert float(sigma) < 0.1  # the fires were all alike, whatever was said of them
+    assert found.table["rate_left_out"].notna().all()
+
+
 def test_calibration_takes_the_p0_of_the_best_shapes(land, true_fire, monkeypatch):
     from firebreak_gis.evaluation import calibration
 
@@ -136,8 +152,10 @@ def test_more_parameters_than_fires_are_refused(land, true_fire):
     case = Case(land, *true_fire, "2h", ROSE)
     with pytest.raises(ParameterError, match=r"1 fires cannot tell 2 parameters \(rate, p0\)"):
         calibrate_scars([case], fit=("rate", "p0"))
-    with pytest.raises(ParameterError, match="fit is duration, expected some of rate, p0"):
-        calibrate_scars([case], fit=("duration",))
+    with pytest.raises(ParameterError, match=r"2 fires cannot tell 3 parameters \(rate, duration\)"):
+        calibrate_scars([case] * 2, fit=("duration",))
+    with pytest.raises(ParameterError, match="fit is colour, rate, expected some of rate, duration, p0"):
+        calibrate_scars([case], fit=("colour",))
     table = pd.DataFrame({"ha": [5.0, 7.0, 2.0], "days": [1.0, 1.0, 1.0]})
     with pytest.raises(ParameterError, match="3 fires cannot tell 4 parameters"):
         calibrate_sizes(land, table, weather=ROSE, fit=("rate", "duration", "p0"), least=1.0)

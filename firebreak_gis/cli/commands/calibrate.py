@@ -25,9 +25,8 @@ _COLUMNS = ("landscape", "scar", "start", "duration", "weather", "step")
     "--fit",
     type=kinds.WORDS,
     metavar="LIST",
-    default="rate,duration",
-    show_default=True,
-    help="What to fit: rate, duration and p0, separated by commas. Of scars the durations are given.",
+    help="What to fit: rate, duration and p0, separated by commas "
+    "[default: rate and duration; of fewer than three scars the rate alone].",
 )
 @weather_options.weather
 @click.option(
@@ -106,8 +105,7 @@ def command(
     for name in files:
         require_writable(name, overwrite=given["overwrite"], forbid=inputs)
     if fires is None:
-        words = [word for word in given["fit"] if word != "duration"]
-        result = calibrate_scars(_cases(folder), fit=words, **common, **given["model_params"])
+        result = calibrate_scars(_cases(folder), fit=given["fit"], **common, **given["model_params"])
     else:
         ensemble = weather.read()
         if ensemble is None:
@@ -128,7 +126,7 @@ def command(
             weather=ensemble,
             told=weather.weather,
             ignitions=ignitions,
-            fit=given["fit"],
+            fit=given["fit"] or ("rate", "duration"),
             least=given["least"],
             hours_a_day=given["hours_a_day"],
             longest=None if given["longest"] is None else as_seconds(given["longest"], "--longest"),
