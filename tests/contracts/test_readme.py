@@ -41,6 +41,14 @@ def test_commands_run_in_the_order_given(checkout):
     assert (checkout / "out/evaluation/evaluation.svg").exists()
 
 
+def test_fires_with_a_clock(checkout):
+    for line in block("clock").splitlines():
+        outcome = CliRunner().invoke(firebreak, shlex.split(line)[1:])
+        assert outcome.exit_code == 0, f"{line}\n{outcome.output}\n{outcome.exception}"
+    made = {path.name for path in (checkout / "out/timed/products").iterdir()}
+    assert {"burnt_by_8h.tif", "arrival_time_50.tif", "flames_above_2.5_m.tif", "isochrones.gpkg"} <= made
+
+
 def test_plan_with_everything_a_planner_adds(checkout):
     outcome = CliRunner().invoke(firebreak, shlex.split(block("stakes"))[1:])
     assert outcome.exit_code == 0, outcome.output
