@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from firebreak_gis.cli import kinds, options, outputs
-from firebreak_gis.cli.layers import input_files, read_layers
+from firebreak_gis.cli.layers import input_files, read_layers, sample_layers
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
@@ -234,17 +234,3 @@ def landscape_command(
         {"files": files, "cut_cells": cut.to_dict("records")},
         f"{cut.to_string(index=False, float_format=lambda v: f'{v:.3f}')}\nwritten to {output.output}",
     )
-
-
-def sample_layers() -> dict[str, str]:
-    """The sample landscape, from the installed package or the checkout."""
-    import firebreak_gis
-
-    package = Path(firebreak_gis.__file__).parent
-    for folder in (package / "sample_data", package.parent / "sample_data"):
-        if (folder / "dem.tif").is_file():
-            return {
-                name: str(folder / f"{stem}.tif")
-                for name, stem in (("dem", "dem"), ("vegetation", "vegetation"), ("density", "density"))
-            }
-    raise ParameterError("the sample data is not installed; give DEM, VEGETATION and DENSITY")
