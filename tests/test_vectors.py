@@ -176,7 +176,7 @@ def refusals(folder):
         (folder / "missing.gpkg", InputError, "does not exist"),
         (text, InputError, "cannot be read"),
         (cut, InputError, "cannot be read"),
-        (table, InputError, "no layer with geometries|holds no"),
+        (table, InputError, "a table needs the columns x and y, or lon and lat"),
         (boxes(), InputError, "holds Polygon, expected points only"),
         (lost, CRSError, "no coordinate reference system"),
         (gpd.GeoSeries([], crs=UTM), InputError, "holds no points"),

@@ -96,7 +96,8 @@ def _layer_in(place: str, name: str, layer: str | int | None) -> str:
 
     layers = [str(row[0]) for row in pyogrio.list_layers(place) if row[1] is not None]
     if not layers:
-        raise InputError(f"{name} holds no layer with geometries")
+        table = "; a table needs the columns x and y, or lon and lat" if name.lower().endswith(".csv") else ""
+        raise InputError(f"{name} holds no layer with geometries{table}")
     if len(layers) == 1 and layer is None:
         return layers[0]
     told = {each: pyogrio.read_info(place, layer=each, force_feature_count=True) for each in layers}

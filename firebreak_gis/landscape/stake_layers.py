@@ -174,7 +174,7 @@ def _priced(cost: np.ndarray, fuel: np.ndarray, grid: Grid, account: Account) ->
 def _tell_out_of_reach(value: np.ndarray, fuel: np.ndarray, account: Account) -> None:
     """Say how much of the value lies where nothing burns."""
     total, lost = float(value.sum()), float(value[~fuel].sum())
-    if lost > 1e-9 * total:
+    if total > 0 and lost > 1e-9 * total:
         account.alignment.append(
             f"values: {lost:,.10g} of it ({100 * lost / total:.3g} %) lie on cells without fuel, which do not burn"
         )

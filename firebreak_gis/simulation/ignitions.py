@@ -156,6 +156,10 @@ def ignition_places(
             f"ignitions: {len(problems)} of {len(groups)} were left out, {off} outside the grid and "
             f"{len(problems) - off} on cells without fuel"
         )
+    if perimeters := sum(word.startswith("polygon") for word in words):
+        account.alignment.append(
+            f"ignitions: {perimeters} polygons are perimeters, of which all cells with fuel burn from the start"
+        )
     starts = np.concatenate(([0], np.cumsum([group.size for group in kept])))
     notes = tuple(account.alignment + account.warnings)
     return Places(None, starts, np.concatenate(kept), notes, None if lit is None else lit[there])

@@ -183,6 +183,7 @@ def test_a_polygon_is_the_perimeter_of_a_fire(network, tmp_path):
         assert sorted(groups, key=min) == [expected[0], expected[2], expected[1]]
         together = resolve_ignitions(network, source, mode="all", n_runs=2, seed=0)
         assert set(together.cells[: together.starts[1]].tolist()) == set.union(*expected)
+        assert any("2 polygons are perimeters" in note for note in start.notes)
     burns = simulate(network, ignitions=frame[:1], n_runs=20, seed=0)
     assert (burns["fire_size"] >= 7).all()
     assert (burns["burn_count"].to_numpy().ravel()[sorted(expected[0])] == 20).all()
