@@ -11,6 +11,7 @@ import numpy as np
 from firebreak_gis.breaks import Budget, BudgetUnit, break_polygons, removal_order, select_breaks
 from firebreak_gis.construction.compartments import compartments
 from firebreak_gis.construction.segments import segments
+from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.curves import evaluate_fires
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.landscape.target_grid import Account
@@ -144,23 +145,7 @@ class Plan:
         For `vegetation` and `density`, the classes that hold fuel; fuel that a legend gives effects counts under the
         class nearest to them.
         """
-        from firebreak_gis.schema import DENSITY, VEGETATION
-
-        fuel = self.network.burnable
-        cut = (self.breaks.to_numpy() > 0) & fuel
-        n_cut, n_fuel = max(int(np.count_nonzero(cut)), 1), max(self.network.n_burnable, 1)
-        found: dict[str, dict[str, dict[str, float]]] = {}
-        for layer, classes in (("vegetation", VEGETATION), ("density", DENSITY)):
-            codes = self.landscape[layer].to_numpy()
-            found[layer] = {
-                name: {
-                    "cut": int(np.count_nonzero(codes[cut] == code)) / n_cut,
-                    "random": int(np.count_nonzero(codes[fuel] == code)) / n_fuel,
-                }
-                for code, name in classes.items()
-                if code
-            }
-        return found
+        return class_shares(self.landscape, self.breaks.to_numpy() > 0, self.network.burnable)
 
     @property
     def summary(self) -> dict[str, Any]:

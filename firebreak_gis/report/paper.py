@@ -21,6 +21,7 @@ from firebreak_gis.report.figures import (
 )
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
     from matplotlib.figure import Figure
 
@@ -34,6 +35,7 @@ _LOOKS = {
     "degree": ("#8d5a97", "-"),
     "eigenvector": ("#3b7a57", "-"),
     "flammability": ("#b5651d", ":"),
+    "conventional": ("#b5651d", ":"),
     "random": ("#555555", "--"),
 }
 
@@ -121,13 +123,13 @@ def figure_4(landscape: xr.Dataset, fire: xr.Dataset, grey: np.ndarray, *, wind:
 
 
 @own_looks
-def figure_5(result: xr.Dataset) -> Figure:
+def figure_5(result: xr.Dataset, *, fires: str) -> Figure:
     """R(d_f) of Bonacich against the conventional policy and random cutting, with maxima and significance."""
     figure = new_figure(8.0, 5.5)
     axes = figure.subplots()
     draw_curve(axes, result)
     axes.set_title(
-        f"Burnt share of the fuel, {result.sizes['run']} fires (bars: maximum)",
+        f"Burnt share of the fuel, {result.sizes['run']} fires (bars: maximum)\n{fires}",
         fontsize=11,
         loc="left",
         fontweight="bold",
@@ -161,4 +163,37 @@ def figure_6(window: xr.Dataset, plans: dict[tuple[str, float], xr.DataArray]) -
             fontsize=8,
             framealpha=0.85,
         )
+    return figure
+
+
+@own_looks
+def class_figure(table: pd.DataFrame) -> Figure:
+    """Classes of vegetation and density that rankings cut, beside what random cutting takes.
+
+    Parameters
+    ----------
+    table
+        As `evaluation.classes.class_table` returns it.
+    """
+    budgets, layers, methods = (list(dict.fromkeys(table[name])) for name in ("d_f", "layer", "method"))
+    figure = new_figure(10.0, 3.2 * len(budgets))
+    panels = figure.subplots(len(budgets), len(layers), squeeze=False, sharey=True)
+    width = 0.8 / len(methods)
+    for row, budget in zip(panels, budgets, strict=True):
+        for axes, layer in zip(row, layers, strict=True):
+            part = table[(table["d_f"] == budget) & (table["layer"] == layer)]
+            for k, method in enumerate(methods):
+                one = part[part["method"] == method]
+                places = np.arange(len(one)) + (k - (len(methods) - 1) / 2) * width
+                colour = _LOOKS.get(method, ("#30638e", "-"))[0]
+                axes.bar(places, one["share"], width=0.92 * width, color=colour, label=method)
+            spots = np.arange(len(one))
+            axes.hlines(one["random"], spots - 0.45, spots + 0.45, color="black", lw=1.4, label="share of the fuel")
+            axes.set_xticks(spots, one["class"], fontsize=9)
+            axes.set_title(f"{layer}, $d_f$ = {budget:g}", fontsize=10, loc="left")
+            axes.set_ylim(0.0, 1.0)
+            axes.grid(axis="y", color="#e3e3e3", lw=0.5)
+            axes.set_axisbelow(True)
+        row[0].set_ylabel("share of the cut cells", fontsize=9)
+    panels[0, 0].legend(fontsize=8, frameon=False)
     return figure

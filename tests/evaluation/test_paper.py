@@ -100,3 +100,58 @@ def test_experiment_on_a_landscape(sample):
     assert result.evaluation["mean"].sel(ranking="random", budget=0.4) < 0.5
     with pytest.raises(ParameterError, match="at least 3 x 3"):
         crop(sample, (0.0, 0.0, 1.0, 1.0))
+
+
+def test_windy_curves_are_fires_of_figure_4(sample):
+    """Burnt from the one ignition with its wind, as `evaluate` burns them; the calm ones are others."""
+    from firebreak_gis import evaluate, rank
+    from firebreak_gis.errors import InputError
+
+    window = (float(sample["x"][20]), float(sample["y"][80]), float(sample["x"][90]), float(sample["y"][10]))
+    given = {"rectangle": window, "n_runs": 10, "wind_speed": 6.0, "wind_from_direction": 270.0}
+    windy = landscape_experiment(sample, curves="windy", **given)
+    network = spread_network(windy.window, wind_speed=6.0, wind_from_direction=270.0)
+    again = evaluate(
+        network,
+        {"bonacich 0.5": rank(network, "bonacich"), "random": rank(network, "random")},
+        budgets=[0.0, 0.14],
+        ignitions=[middle(windy.window)],
+        n_runs=10,
+    )
+    for name in ("bonacich 0.5", "random"):
+        np.testing.assert_array_equal(
+            windy.evaluation["burnt_cells"].sel(ranking=name, budget=[0.0, 0.14]),
+            again["burnt_cells"].sel(ranking=name),
+        )
+    calm = landscape_experiment(sample, **given)
+    assert (calm.evaluation["burnt_cells"] != windy.evaluation["burnt_cells"]).any()
+    outside = (float(sample["x"][2]), float(sample["y"][2]))
+    with pytest.raises(InputError):  # outside of the rectangle
+        landscape_experiment(sample, curves="windy", ignition=outside, **given)
+
+
+def test_class_table_counts_what_is_cut(sample):
+    """Counted cell by cell; random cuts spread about the share of the fuel as they should."""
+    from firebreak_gis import rank, select_breaks
+    from firebreak_gis.evaluation.classes import class_table
+
+    network = spread_network(sample)
+    plans = {
+        (f"random {seed}", 0.14): select_breaks(
+            rank(network, "random", seed=seed), budget=0.14, burnable=network.burnable
+        )
+        for seed in range(40)
+    }
+    rows = class_table(sample, plans)
+    density, fuel = sample["density"].to_numpy(), network.burnable
+    first = rows[(rows["method"] == "random 3") & (rows["layer"] == "density")].set_index("class")
+    codes = density[plans["random 3", 0.14].to_numpy() > 0].tolist()
+    assert first["share"].to_dict() == {
+        name: codes.count(code) / len(codes) for code, name in ((1, "sparse"), (2, "normal"), (3, "dense"))
+    }
+    assert first["random"]["dense"] == (density[fuel] == 3).sum() / fuel.sum()
+    assert set(first["cells_cut"]) == {len(codes)}
+    z = (rows["share"] - rows["random"]) / rows["random_sd"]
+    assert abs(z.mean()) < 0.3
+    assert 0.8 < z.std() < 1.2
+    np.testing.assert_allclose(rows.groupby(["method", "layer"])[["share", "random"]].sum(), 1)

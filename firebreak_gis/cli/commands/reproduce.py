@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
+    from firebreak_gis.evaluation.paper.landscape import Curves
+
 
 @click.group("reproduce")
 def command() -> None:
@@ -102,6 +104,8 @@ class _Figures:
     grey: xr.DataArray
     evaluation: pd.DataFrame
     cut: pd.DataFrame
+    classes: pd.DataFrame
+    classes_figure: Figure
 
 
 def _figure(number: int) -> Output[_Figures]:
@@ -120,6 +124,8 @@ FIGURES: tuple[Output[_Figures], ...] = (
     Output("figure_4a.tif", "Figure 4a as a map: burn frequency in 16 grey levels", _grey),
     Output("evaluation.csv", "Burnt share at every budget", _csv(lambda result: result.evaluation)),
     Output("cut_cells.csv", "Classes of the cells that are cut", _csv(lambda result: result.cut)),
+    Output("class_shares.csv", "Classes cut by every method, against random", _csv(lambda result: result.classes)),
+    Output("class_shares.png", "The same as a figure", _picture(lambda result: result.classes_figure)),
     account("reproduce landscape", lambda result: {"cut_cells": result.cut.to_dict("records")}),
 )
 
@@ -166,6 +172,13 @@ def artificial_forest_command(session: Session, output: OutputRequest, n_forests
     metavar="LEFT BOTTOM RIGHT TOP",
     help="Where breaks are planned, in the CRS of the grid [default: everywhere].",
 )
+@click.option(
+    "--curves",
+    type=click.Choice(["calm", "windy"]),
+    default="calm",
+    show_default=True,
+    help="Fires of figures 5 and 6: in calm air from random places, or with the ignition and wind of figure 4.",
+)
 @click.option("--wind-speed", type=float, default=8.0, show_default=True, help="Wind of figure 4 [m/s].")
 @click.option(
     "--wind-from",
@@ -187,10 +200,12 @@ def landscape_command(
     rectangle: tuple[float, float, float, float] | None,
     wind_speed: float,
     wind_from: float,
+    curves: Curves,
     n_runs: int,
     seed: int,
 ) -> None:
     """Figures 3 to 6 on a landscape: DEM, VEGETATION, DENSITY; without them on the sample data."""
+    from firebreak_gis.evaluation.classes import class_table
     from firebreak_gis.evaluation.curves import table
     from firebreak_gis.evaluation.paper.landscape import cut_table, grey_levels, landscape_experiment
     from firebreak_gis.files.outputs import write_all
@@ -215,6 +230,7 @@ def landscape_command(
         rectangle=rectangle or None,
         wind_speed=wind_speed,
         wind_from_direction=wind_from,
+        curves=curves,
         n_runs=n_runs,
         seed=seed,
         progress=part(session.progress, 0.1, 0.9),
@@ -224,12 +240,14 @@ def landscape_command(
     figures = {
         3: paper.figure_3(landscape),
         4: paper.figure_4(landscape, result.fire, grey, wind=wind),
-        5: paper.figure_5(result.evaluation),
+        5: paper.figure_5(result.evaluation, fires=f"one ignition, {wind}" if curves == "windy" else "calm air"),
         6: paper.figure_6(result.window, result.breaks),
     }
     cut = cut_table(result)
     grey_map = Grid.of(landscape["burnable"]).dataarray(grey.astype("uint16"), "grey_level")
-    files = write_all(FIGURES, _Figures(figures, grey_map, table(result.evaluation), cut), output.output, how)
+    classes = class_table(result.window, result.cut)
+    made = _Figures(figures, grey_map, table(result.evaluation), cut, classes, paper.class_figure(classes))
+    files = write_all(FIGURES, made, output.output, how)
     session.finish(
         {"files": files, "cut_cells": cut.to_dict("records")},
         f"{cut.to_string(index=False, float_format=lambda v: f'{v:.3f}')}\nwritten to {output.output}",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
+#: Fires of the curves.
+Curves = Literal["calm", "windy"]
 #: Wind of the fire of 2008: from the north-west, 4 to 5 Beaufort.
 WIND_SPEED, WIND_FROM = 8.0, 315.0
 #: Rankings of Figure 5; the published version calls the policy by flammability "conventional".
@@ -29,6 +31,8 @@ METHODS: tuple[tuple[str, str, dict[str, Any]], ...] = (
 )
 #: Budgets whose breaks Figure 6 shows: ranking label and d_f.
 SHOWN = (("bonacich 0.5", 0.14), ("random", 0.19))
+#: Budgets at which the classes of what is cut are told.
+TOLD = (0.14, 0.19)
 BUDGETS = tuple(round(0.01 * k, 2) for k in range(41))
 GREY_LEVELS = 16
 
@@ -49,6 +53,8 @@ class LandscapeExperiment:
         R(d_f) in the window, as `evaluate` returns it.
     breaks
         Break masks in the window by (label, d_f), as in `SHOWN`.
+    cut
+        Those of every ranking at the budgets `TOLD`.
     """
 
     landscape: xr.Dataset
@@ -56,6 +62,7 @@ class LandscapeExperiment:
     fire: xr.Dataset
     evaluation: xr.Dataset
     breaks: dict[tuple[str, float], xr.DataArray]
+    cut: dict[tuple[str, float], xr.DataArray]
 
 
 def landscape_experiment(
@@ -65,6 +72,7 @@ def landscape_experiment(
     rectangle: tuple[float, float, float, float] | None = None,
     wind_speed: float = WIND_SPEED,
     wind_from_direction: float = WIND_FROM,
+    curves: Curves = "calm",
     n_runs: int = 100,
     seed: int = 0,
     threads: int | None = None,
@@ -72,8 +80,9 @@ def landscape_experiment(
 ) -> LandscapeExperiment:
     """Run the experiments of Figures 3 to 6.
 
-    Figure 4a is a fire with wind from one ignition. Figures 5 and 6 are planned and judged in calm air (the
-    paper's equation 9 has no wind) inside the rectangle, with random ignitions in it.
+    Figure 4a is a fire with wind from one ignition. Figures 5 and 6 are planned and judged inside the rectangle: in
+    calm air with random ignitions (the paper's equation 9 has no wind, and it names no ignition), or with the ignition
+    and the wind of Figure 4a.
 
     Parameters
     ----------
@@ -85,11 +94,15 @@ def landscape_experiment(
         (left, bottom, right, top) in the CRS of the landscape; by default all of it.
     wind_speed, wind_from_direction
         Wind of Figure 4a [m/s, degrees].
+    curves
+        Fires of Figures 5 and 6: `"calm"`, or `"windy"`, those of Figure 4a. Without an ignition these start at the
+        cell with fuel nearest to the middle of the rectangle. A fire whose ignition is cut burns nothing.
     n_runs, seed, threads, progress
         As in `simulate`.
     """
     window = crop(landscape, rectangle) if rectangle else landscape
-    windy = spread_network(landscape, wind_speed=wind_speed, wind_from_direction=wind_from_direction)
+    wind = {"wind_speed": wind_speed, "wind_from_direction": wind_from_direction}
+    windy = spread_network(landscape, **wind)
     start = [ignition] if ignition else [middle(landscape)]
     fire = simulate(
         windy,
@@ -99,7 +112,8 @@ def landscape_experiment(
         threads=threads,
         progress=part(progress, 0.0, 0.2, "figure 4: "),
     )
-    network = spread_network(window)
+    windy_curves = curves == "windy"
+    network = spread_network(window, **(wind if windy_curves else {}))
     priorities = {}
     for i, (label, method, params) in enumerate(METHODS):
         step = part(progress, 0.2 + 0.1 * i, 0.3 + 0.1 * i, f"{label}: ")
@@ -108,16 +122,24 @@ def landscape_experiment(
         network,
         priorities,
         budgets=BUDGETS,
+        ignitions=[ignition or middle(window)] if windy_curves else None,
         n_runs=n_runs,
         seed=seed,
         threads=threads,
         progress=part(progress, 0.5, 1.0, "figure 5: "),
     )
-    breaks = {
-        (label, budget): select_breaks(priorities[label], budget=budget, burnable=network.burnable)
-        for label, budget in SHOWN
-    }
-    return LandscapeExperiment(landscape, window, fire, evaluation, breaks)
+
+    def cut(label: str, budget: float) -> xr.DataArray:
+        return select_breaks(priorities[label], budget=budget, burnable=network.burnable)
+
+    return LandscapeExperiment(
+        landscape,
+        window,
+        fire,
+        evaluation,
+        breaks={(label, budget): cut(label, budget) for label, budget in SHOWN},
+        cut={(label, budget): cut(label, budget) for budget in TOLD for label in priorities},
+    )
 
 
 def crop(landscape: xr.Dataset, rectangle: tuple[float, float, float, float]) -> xr.Dataset:
