@@ -101,7 +101,7 @@ def landscape_experiment(
         As in `simulate`.
     """
     window = crop(landscape, rectangle) if rectangle else landscape
-    wind = {"wind_speed": wind_speed, "wind_from_direction": wind_from_direction}
+    wind: dict[str, Any] = {"wind_speed": wind_speed, "wind_from_direction": wind_from_direction}
     windy = spread_network(landscape, **wind)
     start = [ignition] if ignition else [middle(landscape)]
     fire = simulate(
