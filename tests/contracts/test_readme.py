@@ -1,5 +1,6 @@
 """What the README says is run as it stands there."""
 
+import configparser
 import json
 import re
 import shlex
@@ -78,9 +79,28 @@ def test_files_that_the_readme_names_exist():
         assert (ROOT / path).exists(), path
 
 
-def test_table_of_outputs_is_what_plan_writes():
+def test_the_map_names_every_module_and_package_once_from_the_top_down():
+    package = ROOT / "firebreak_gis"
+    files = {p.stem for p in package.glob("*.py")} - {"__init__", "__main__"}
+    folders = {f"{p.parent.name}/" for p in package.glob("*/__init__.py")}
+    inside = README.split("    firebreak_gis/\n")[1].split("    qgis_plugin/")[0]
+    lines = [line.split(maxsplit=1) for line in inside.splitlines()]
+    assert all(len(line) == 2 for line in lines)
+    named = [name for name, _ in lines]
+    assert sorted(named) == sorted(files | folders)
+    floors = configparser.ConfigParser()
+    floors.read(ROOT / ".importlinter")
+    layers = floors["importlinter:contract:floors"]["layers"].split("\n")
+    place = {name.strip(" ()"): i for i, line in enumerate(layers) for name in line.split("|")}
+    assert sorted(named, key=lambda name: place[name.rstrip("/")]) == named, "lower floors stand lower"
+
+
+def test_table_of_outputs_names_what_plan_writes():
+    """The whole list is in `firebreak plan --help`."""
     from firebreak_gis.files.outputs import names
     from firebreak_gis.planning.outputs import OUTPUTS
 
-    table = README.split("writes into the folder:")[1].split("Every raster is")[0]
-    assert set(re.findall(r"`([\w.]+\.(?:tif|gpkg|csv|png|json))`", table)) == set(names(OUTPUTS))
+    table = README.split("writes into the folder (")[1].split("Every raster is")[0]
+    named = set(re.findall(r"`([\w.]+\.(?:tif|gpkg|csv|png|json))`", table))
+    assert len(named) > 10
+    assert named <= set(names(OUTPUTS))
