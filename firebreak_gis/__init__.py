@@ -24,8 +24,11 @@ if TYPE_CHECKING:
     from firebreak_gis.planning.pipeline import plan
     from firebreak_gis.rasters import write_raster
     from firebreak_gis.simulation.distributed import simulate_distributed
+    from firebreak_gis.simulation.embers import Embers
     from firebreak_gis.simulation.fires import burn_curve, simulate
+    from firebreak_gis.simulation.holding import Hold
     from firebreak_gis.simulation.ignitions import ignition_places
+    from firebreak_gis.simulation.products import Products
     from firebreak_gis.simulation.weather_reading import read_weather
     from firebreak_gis.spread import spread_network, weather_networks
     from firebreak_gis.spread.artificial import forest
@@ -38,11 +41,14 @@ _HOMES = {
     "calibrate_scars": "evaluation.calibration",
     "calibrate_sizes": "evaluation.calibration",
     "Cancelled": "errors",
+    "Embers": "simulation.embers",
     "evaluate": "evaluation.curves",
     "FirebreakError": "errors",
     "forest": "spread.artificial",
     "ignition_places": "simulation.ignitions",
+    "Hold": "simulation.holding",
     "plan": "planning.pipeline",
+    "Products": "simulation.products",
     "rank": "planning.design",
     "read_landscape": "landscape",
     "read_network": "spread.raster",

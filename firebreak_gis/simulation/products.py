@@ -48,6 +48,15 @@ class Products:
     Quantiles are read from 32 bins of times, each longer than the last by one factor (1.16 for runs of 8 hours), and
     from straight lines within a bin. They are told up to 7 days where runs have no end. Memory a cell and thread: 4 B
     for each time, bin, class and flame length, 12 B for paths.
+
+    Examples
+    --------
+    >>> import numpy as np, firebreak_gis as fb
+    >>> network = fb.SpreadNetwork(np.ones((8, 5, 9)), travel_time=np.full((8, 5, 9), 600))
+    >>> asked = fb.Products(by=(1800, 3600))
+    >>> burns = fb.simulate(network, ignitions=[(0.5, -2.5)], duration="1h", n_runs=2, products=asked)
+    >>> burns["fire_size_by"].to_numpy().tolist()
+    [[20, 35], [20, 35]]
     """
 
     by: tuple[float, ...] = ()

@@ -125,6 +125,7 @@ def burn_timed(
     total = new_tally(network, products, n_runs, longest=longest, value=value)
     laid = _Laid()
     spaces = _Spaces()
+    tallies = _Tallies(total)
     done = 0
     for group in groups_of(network, weather, n_runs=n_runs, first_run=first_run, seed=seed):
         intensity = _intensity(group, request, products)
@@ -150,26 +151,31 @@ def burn_timed(
                 residual=request.residual,
             )
         clock, span = clock_of(group, longest, embers=request.embers is not None)
-        heat = total.heat if group.network.heat is None else group.network.heat.ravel()
-        tallies = _Tallies(total._replace(heat=heat))
         given = (laid.thresholds(group), keys["edges"], grid_steps, clock, starts, walls, flying)
+        heat = total.heat if group.network.heat is None else group.network.heat.ravel()
         shown = np.zeros(0, np.float32) if intensity is None else intensity.ravel()
-        piece = partial(_burn_piece, given, spaces, span, tallies, shown)
+        piece = partial(_burn_piece, given, spaces, span, tallies, heat, shown)
         report = part(progress, done / n_runs, (done + group.runs.size) / n_runs)
         pieces = [group.runs[i : i + _PIECE] for i in range(0, group.runs.size, _PIECE)]
         run_pieces(piece, pieces, threads=threads, progress=report, message="burning")
-        add_up(total, tallies.made)
         done += group.runs.size
+    add_up(total, tallies.made)
     return total
 
 
 def _burn_piece(
-    given: tuple[Any, ...], spaces: _Spaces, span: int, tallies: _Tallies, strongest: np.ndarray, runs: np.ndarray
+    given: tuple[Any, ...],
+    spaces: _Spaces,
+    span: int,
+    tallies: _Tallies,
+    heat: np.ndarray,
+    strongest: np.ndarray,
+    runs: np.ndarray,
 ) -> None:
     """Burn a few runs on the calling thread."""
     from firebreak_gis.kernels.arrival import burn_timed as burn_runs
 
-    tally = tallies.mine()
+    tally = tallies.mine()._replace(heat=heat)
     burn_runs(*given, spaces.mine(tally.counts.size, span), runs, tally, strongest)
 
 
@@ -191,9 +197,11 @@ def clock_of(group: Group, longest: int, *, embers: bool) -> tuple[Clock, int]:
     if not group.times:  # all that matters is that fire comes
         return Clock(np.ones(8, np.uint32), np.zeros(0, np.uint64), np.uint64(0)), 2
     n_cells = group.network.burnable.size
-    seconds = np.empty((len(group.times), n_cells, 8), np.uint32)
+    # Steps that begin after the last fire has ended are not needed.
+    n_steps = max(int(np.count_nonzero(group.starts < longest)), 1)
+    seconds = np.empty((n_steps, n_cells, 8), np.uint32)
     least, most = NEVER, 1
-    for laid, times in zip(seconds, group.times, strict=True):
+    for laid, times in zip(seconds, group.times[:n_steps], strict=True):
         laid[:] = times.reshape(8, n_cells).T
         moves = times[times != NEVER]
         if moves.size:
@@ -201,7 +209,7 @@ def clock_of(group: Group, longest: int, *, embers: bool) -> tuple[Clock, int]:
     if embers:
         least = min(least, SOONEST)
     shift = max(least.bit_length() - 1, 0) if least < NEVER else 0
-    clock = Clock(seconds.ravel(), group.starts[1:].astype(np.uint64), np.uint64(shift))
+    clock = Clock(seconds.ravel(), group.starts[1:n_steps].astype(np.uint64), np.uint64(shift))
     return clock, min(most, longest) >> shift
 
 
