@@ -94,6 +94,8 @@ def write_raster(
     >>> fb.write_raster("breaks.tif", breaks).name
     'breaks.tif'
     """
+    if Path(path).suffix.lower() not in (".tif", ".tiff"):
+        raise OutputError(f"{path}: rasters are written as GeoTIFF, expected a name that ends in .tif")
     layers: list[Any] = [data] if hasattr(data, "dtype") else list(data.data_vars.values())
     variables = [_variable_of(layer) for layer in layers]
     variable = variables[0]

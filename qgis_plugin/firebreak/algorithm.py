@@ -28,7 +28,7 @@ from .forms import GROUPS
 from .layers import FormValues
 from .manifest import Description, Output, parameter_names
 from .parameters import input_parameter, output_parameter
-from .results import DestinationError, deliver, refuse_inputs
+from .results import DestinationError, deliver, refuse_formats, refuse_inputs
 from .styling import style_later
 from .texts import help_page, homepage, translated
 
@@ -136,6 +136,7 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             wanted = self._destinations(parameters, context)
             values = FormValues(self, parameters, context, feedback, folder).read(self._description.fields)
             layers = [str(values[f.name]) for f in self._description.fields if f.kind in ("raster", "vector", "file")]
+            refuse_formats(wanted, {output.name: output.file for output in self._description.outputs})
             refuse_inputs(wanted, [path for path in layers if path != "None"])
             result = self._run(engine, values, wanted, folder, feedback)
             return self._deliver(result, wanted, folder / "out", context, feedback)

@@ -43,6 +43,31 @@ def refuse_inputs(destinations: dict[str, str], inputs: list[str]) -> None:
         taken[_identity(path)] = name
 
 
+def refuse_formats(destinations: dict[str, str], files: dict[str, str]) -> None:
+    """Refuse destinations whose names say another format than the engine writes.
+
+    Parameters
+    ----------
+    destinations
+        Path by name of the output.
+    files
+        File that the engine makes, by name of the output.
+
+    Raises
+    ------
+    DestinationError
+        Naming the destination and the ending that it needs.
+    """
+    for name, path in destinations.items():
+        ending = Path(files[name]).suffix
+        given = Path(path).suffix.lower()
+        if given != ending and (given, ending) != (".tiff", ".tif"):
+            raise DestinationError(
+                f"{name} is written as {ending}, but {Path(path).name} says another format. Let its name end in "
+                f"{ending}, and export the layer to the other format afterwards."
+            )
+
+
 def _identity(path: str) -> str:
     return os.path.normcase(os.path.realpath(path))
 

@@ -259,3 +259,23 @@ def test_fields_of_a_legend_may_be_long(tmp_path):
     assert legends.read_legend(place).name == "legend"
     place.write_text(f"code,vegetation,density,label\n1,{text},dense,a\n")
     assert call("align", *LAYERS, "-o", tmp_path / "o", "--legend", place).exit_code == 3
+
+
+@pytest.mark.parametrize(
+    ("words", "ending"),
+    [
+        (["network", "l", "-o", "n.asc"], ".tif"),
+        (["burn", "NETWORK", "-o", "f.img"], ".tif"),
+        (["burn", "NETWORK", "-o", "f"], ".tif"),
+        (["burn", "NETWORK", "-o", "f.tif", "--sizes", "s.xlsx"], ".csv"),
+        (["segments", "NETWORK", "NETWORK", "-o", "s.shp"], ".gpkg"),
+        (["segments", "NETWORK", "NETWORK", "-o", "s.kml"], ".gpkg"),
+    ],
+    ids=lambda value: str(value[-1]) if isinstance(value, list) else "",
+)
+def test_a_file_has_the_format_that_its_name_says(network, tmp_path, monkeypatch, words, ending):
+    monkeypatch.chdir(tmp_path)
+    done = call(*(network if word == "NETWORK" else word for word in words))
+    assert done.exit_code in (2, 4)
+    assert ending in done.output
+    assert not list(tmp_path.iterdir())

@@ -541,3 +541,14 @@ def test_the_real_engine_answers(tmp_path):
         )
     assert caught.value.exit_code == 3
     assert json.dumps(told)
+
+
+@pytest.mark.parametrize("name", ["b.asc", "b.img", "b", "b.gpkg"])
+def test_a_destination_of_another_format_is_refused(name):
+    files = {"OUTPUT_BREAKS": "breaks.tif", "OUTPUT_SEGMENTS": "segments.gpkg"}
+    results.refuse_formats({"OUTPUT_BREAKS": "/x/b.TIF", "OUTPUT_SEGMENTS": "/x/s.gpkg"}, files)
+    with pytest.raises(results.DestinationError, match=r"OUTPUT_BREAKS is written as \.tif"):
+        results.refuse_formats({"OUTPUT_BREAKS": f"/x/{name}"}, files)
+    for other in ("s.kml", "s.shp", "s.geojson"):
+        with pytest.raises(results.DestinationError, match=r"\.gpkg"):
+            results.refuse_formats({"OUTPUT_SEGMENTS": f"/x/{other}"}, files)
