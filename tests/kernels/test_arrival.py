@@ -11,6 +11,7 @@ from firebreak_gis import SpreadNetwork, simulate
 from firebreak_gis.kernels import draws
 from firebreak_gis.lattice import NEVER
 from firebreak_gis.simulation.holding import stretches
+from firebreak_gis.simulation.ignitions import resolve_ignitions
 from firebreak_gis.simulation.products import Products
 from tests.twins.arrival import Fire, across
 from tests.twins.percolation import word
@@ -51,12 +52,14 @@ def test_runs_are_those_of_the_twin(boundary, least, most):
     picked = [int(c) for c in fuel[[0, fuel.size // 2, -1]]]
     points = [point(network, c) for c in picked]
     keys = draws.run_keys(5, "edges", 40)
+    lit = resolve_ignitions(network, points, n_runs=40, seed=5).cells
+    assert set(lit.tolist()) == set(picked)
     for limit in (math.inf, 4.0 * (least + most)):
         given = {"ignitions": points, "ignition_mode": "each", "n_runs": 40, "seed": 5, "duration": limit}
         burns = simulate(network, products=EACH, **given)
         for run in range(40):
             fire = Fire(network, int(keys[run]), [network.travel_time], limit=limit)
-            expected = fire.burn({picked[run % 3]: 0})
+            expected = fire.burn({int(lit[run]): 0})
             # Files and arrays tell arrivals up to 2^32 - 2 s.
             assert arrivals(burns, run) == {c: min(t, NEVER - 1) for c, t in expected.items()}
             assert burns["fire_size"][run] == len(expected)
