@@ -40,7 +40,8 @@ def values_of(name, rows=ROWS, cols=COLS, seed=0):
     if variable.dtype == "bool":
         return rng.random(shape) < 0.5
     if np.dtype(variable.dtype).kind in "iu":
-        return rng.integers(0, 1000, shape).astype(variable.dtype)
+        most = 999 if variable.maximum is None else min(int(variable.maximum), 999)
+        return rng.integers(0, most + 1, shape).astype(variable.dtype)
     values = rng.random(shape).astype(variable.dtype)
     values[..., :5, :7] = -np.inf if name == "priority" else np.nan
     return values
