@@ -191,6 +191,13 @@ def times(text: Any, option: str) -> list[float]:
     return found
 
 
+def seconds(text: Any, option: str) -> float:
+    """Read a time such as "8h", see `simulation.durations`."""
+    from firebreak_gis.simulation.durations import as_seconds
+
+    return as_seconds(text, option)
+
+
 def duration(text: Any, option: str) -> Any:
     """Read how long fires burn, see `simulation.durations`."""
     from firebreak_gis.simulation.durations import as_duration

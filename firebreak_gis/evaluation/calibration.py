@@ -25,6 +25,7 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation import fire_sizes
 from firebreak_gis.evaluation.fire_sizes import Durations, Growth
 from firebreak_gis.evaluation.forecasting import Case, growth_of, open_case, run_case
+from firebreak_gis.evaluation.request import HOURS_A_DAY
 from firebreak_gis.evaluation.skill import area_matched, overlap
 from firebreak_gis.progress import Progress, part
 
@@ -37,9 +38,6 @@ Fitted = Literal["rate", "duration", "p0"]
 PARAMETERS: Mapping[str, int] = {"rate": 1, "duration": 2, "p0": 1}
 #: Spread probabilities that are tried.
 P0_TRIED = (0.3, 0.4, 0.5, 0.58, 0.7, 0.85)
-#: Hours of a day in which a fire spreads: the median burn period of 164 Portuguese fires (Benali et al. 2023,
-#: PT-FireSprd, doi 10.5194/essd-15-3791-2023).
-HOURS_A_DAY = 7.5
 _DAY, _LONGEST = 24 * 3600.0, 200 * 3600.0
 #: So many times as long as the longest fire simulated ones grow, for rates that are higher than those of the model.
 _FURTHER = 2.0

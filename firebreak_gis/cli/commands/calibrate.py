@@ -12,7 +12,10 @@ from firebreak_gis.cli.layers import input_files, tell
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, ParameterError
+from firebreak_gis.evaluation.request import HOURS_A_DAY, CalibrationRequest
+from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.planning.weather import WeatherRequest
+from firebreak_gis.simulation.request import FireRequest
 
 #: Columns of a table of observed fires; the last two may be missing or empty.
 _COLUMNS = ("landscape", "scar", "start", "duration", "weather", "step")
@@ -50,12 +53,13 @@ _COLUMNS = ("landscape", "scar", "start", "duration", "weather", "step")
 @click.option(
     "--hours-a-day",
     type=float,
-    default=7.5,
+    default=HOURS_A_DAY,
     show_default=True,
     help="Hours for which a fire spreads on each of its days; an assumption that tells rates and durations apart.",
 )
 @click.option(
     "--longest",
+    type=kinds.TIME,
     metavar="TIME",
     help="No fire spreads longer [default: as many whole days as the longest observed fire, or 200h].",
 )
@@ -72,15 +76,16 @@ _COLUMNS = ("landscape", "scar", "start", "duration", "weather", "step")
 @click.option("--table", type=kinds.NEW_TABLE, metavar="FILE", help="Also write what is told of each fire as CSV.")
 @outputs.output_file("Configuration (TOML), which every command takes as --config,", kinds.NEW_CONFIG)
 @options.common
-@built(weather=WeatherRequest)
+@built(output=OutputRequest, weather=WeatherRequest, burning=FireRequest, asked=CalibrationRequest)
 def command(
     session: Session,
     folder: str,
     fires: str | None,
-    output: str,
+    output: OutputRequest,
     table: str | None,
     weather: WeatherRequest,
-    **given: Any,
+    burning: FireRequest,
+    asked: CalibrationRequest,
 ) -> None:
     """Fit the rate of spread, durations and spread probability to observed fires.
 
@@ -97,28 +102,34 @@ def command(
     from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind
-    from firebreak_gis.simulation.durations import as_seconds
 
-    files = [output, *([table] if table else [])]
-    inputs = files_behind(input_files([folder, fires, *weather.sources, given["ignitions"]]))
-    common = {"n_runs": given["n_runs"], "seed": given["seed"], "progress": part(session.progress, 0.05, 0.95)}
+    files = [output.output, *([table] if table else [])]
+    inputs = files_behind(input_files([folder, fires, *weather.sources, *burning.sources]))
+    progress = part(session.progress, 0.05, 0.95)
     for name in files:
-        require_writable(name, overwrite=given["overwrite"], forbid=inputs)
+        require_writable(name, overwrite=output.overwrite, forbid=inputs)
     if fires is None:
-        result = calibrate_scars(_cases(folder), fit=given["fit"], **common, **given["model_params"])
+        result = calibrate_scars(
+            _cases(folder),
+            fit=asked.fit,
+            n_runs=burning.n_runs,
+            seed=burning.seed,
+            progress=progress,
+            **asked.model_params,
+        )
     else:
         ensemble = weather.read()
         if ensemble is None:
             raise ParameterError("--weather is missing: the winds in which the fires of the region burn")
         landscape = read_landscape_folder(folder)
         account = Account()
-        ignitions = ignition_source(given["ignitions"], Grid.of(landscape["burnable"]), account)
+        ignitions = ignition_source(burning.ignitions, Grid.of(landscape["burnable"]), account)
         tell(account, session)
         observed = fire_table(
             fires,
-            size=given["size_column"],
-            first_day=given["first_day_column"],
-            last_day=given["last_day_column"],
+            size=asked.size_column,
+            first_day=asked.first_day_column,
+            last_day=asked.last_day_column,
         )
         result = calibrate_sizes(
             landscape,
@@ -126,18 +137,20 @@ def command(
             weather=ensemble,
             told=weather.weather,
             ignitions=ignitions,
-            fit=given["fit"] or ("rate", "duration"),
-            least=given["least"],
-            hours_a_day=given["hours_a_day"],
-            longest=None if given["longest"] is None else as_seconds(given["longest"], "--longest"),
-            **common,
-            **given["model_params"],
+            fit=asked.fit or ("rate", "duration"),
+            least=asked.least,
+            hours_a_day=asked.hours_a_day,
+            longest=asked.longest,
+            n_runs=burning.n_runs,
+            seed=burning.seed,
+            progress=progress,
+            **asked.model_params,
         )
     with together(*(Path(name).parent for name in files)):
-        write_text(output, result.config(), overwrite=given["overwrite"])
+        write_text(output.output, result.config(), overwrite=output.overwrite)
         if table:
             text = result.table.to_csv(index=False, lineterminator="\n")
-            write_text(table, text, overwrite=given["overwrite"])
+            write_text(table, text, overwrite=output.overwrite)
     rows = result.table.astype(object).where(result.table.notna(), None).to_dict("records")
     told = {"parameters": result.parameters, "n_parameters": result.n_parameters, "n_fires": result.n_fires}
     session.finish(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -104,7 +105,18 @@ OUTPUTS: tuple[Output[_Validated], ...] = (
 @options.common
 @built(spread=SpreadRequest, weather=WeatherRequest)
 def command(
-    session: Session, folder: str, scar: str, spread: SpreadRequest, weather: WeatherRequest, **given: Any
+    session: Session,
+    folder: str,
+    scar: str,
+    start: str,
+    duration: str,
+    n_runs: int,
+    seed: int,
+    spread: SpreadRequest,
+    weather: WeatherRequest,
+    output: str | None,
+    overwrite: bool,
+    creation_options: Mapping[str, str],
 ) -> None:
     """Hold a simulated fire against SCAR, the area that burnt, beside fires that know nothing.
 
@@ -119,12 +131,11 @@ def command(
     from firebreak_gis.progress import part
     from firebreak_gis.spread.raster import read_network
 
-    output = given["output"]
     whole = Path(folder).is_dir()
     spread.require()
     told = weather.read()
     source: Any = read_landscape_folder(folder) if whole else read_network(folder)
-    named = [*map(str, Path(folder).glob("*.tif")), folder, scar, given["start"], *weather.sources, *spread.sources]
+    named = [*map(str, Path(folder).glob("*.tif")), folder, scar, start, *weather.sources, *spread.sources]
     inputs = input_files(named)
     wind = None
     if not whole:
@@ -136,26 +147,26 @@ def command(
     else:
         params = spread.params(source) if told is None else spread.params_beside(source, told)
         params["model"] = spread.model
-    target = None if output is None else OutputRequest(output, given["overwrite"], given["creation_options"])
+    target = None if output is None else OutputRequest(output, overwrite, creation_options)
     how = None if target is None else require_outputs(target, OUTPUTS, inputs)
     result = validate(
         source,
         scar,
-        start=given["start"],
-        duration=given["duration"],
+        start=start,
+        duration=duration,
         weather=told,
-        n_runs=given["n_runs"],
-        seed=given["seed"],
+        n_runs=n_runs,
+        seed=seed,
         wind=wind,
         progress=part(session.progress, 0.05, 0.9),
         **params,
     )
     summary = result.summary()
     files: list[Path] = []
-    if how is not None:
+    if target is not None and how is not None:
         fuel = source["burnable"].to_numpy() if whole else source.burnable
-        how = replace(how, tags=provenance(how.parameters, seed=given["seed"]))
-        files = write_all(OUTPUTS, _Validated(result, fuel, scar), output, how)
+        how = replace(how, tags=provenance(how.parameters, seed=seed))
+        files = write_all(OUTPUTS, _Validated(result, fuel, scar), target.output, how)
     session.finish({"files": files, **summary}, _told(summary, output))
 
 
