@@ -54,7 +54,12 @@ def walk(group, before=()):
             yield (*before, name), command
 
 
-ALL = {" ".join(words): command for words, command in walk(firebreak)}
+def hands_on(command):
+    """Whether it hands all that it is given on to another command, which is looked at itself."""
+    return any(p.type is click.UNPROCESSED for p in command.params)
+
+
+ALL = {" ".join(words): command for words, command in walk(firebreak) if not hands_on(command)}
 #: Those that take a place to write to, of whatever kind.
 WRITING = {name: command for name, command in ALL.items() if any(p.name == "output" for p in command.params)}
 FOLDERS = [name for name, command in WRITING.items() if outputs_of(command)]
@@ -133,6 +138,14 @@ def refused(outcome, *parts):
 
 def content(folder):
     return {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def test_a_command_that_hands_all_on_is_refused_as_the_other(place):
+    """`demo` is `plan` on the sample landscape."""
+    (place / "out").mkdir()
+    (place / "out/run.json").write_text("mine")
+    refused(call("demo", "-o", "out", "--no-open", "--res", "200", "-q"), "run.json", "--overwrite")
+    assert content(place / "out") == {"run.json": b"mine"}
 
 
 def test_every_place_to_write_is_of_a_kind_that_is_looked_at():
