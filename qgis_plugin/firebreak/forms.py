@@ -125,9 +125,14 @@ FORMS = (
         "burn",
         "Burn frequency",
         "fire",
-        ("network", "mask", *_FIRES),
+        ("network", "mask", "duration", "hold", "embers", *_FIRES),
         ("OUTPUT_FREQUENCY",),
-        {"mean_burnt_share": "Mean burnt share", "max_burnt_share": "Largest burnt share"},
+        {
+            "mean_burnt_share": "Mean burnt share",
+            "max_burnt_share": "Largest burnt share",
+            "mean_ha": "Mean fire in hectares",
+            "max_ha": "Largest fire in hectares",
+        },
         tags=("simulation", "cellular automaton", "ignition"),
     ),
     Form(
@@ -172,6 +177,24 @@ FORMS = (
 HIDDEN = frozenset(
     {"output", "overwrite", "as_json", "progress_mode", "verbose", "quiet", "dry_run", "folder", "config"}
 )
+
+#: Options that a form leaves out: that of burn takes a network, which was made for one model and one wind.
+LEFT_OUT: Mapping[str, tuple[str, ...]] = {
+    "burn": (
+        "weather",
+        "weather_step",
+        "weather_columns",
+        "weather_units",
+        "weather_ignore",
+        "model",
+        "model_params",
+        "wind_speed",
+        "wind_from",
+        "wind_uv",
+        "moisture",
+        "neighbourhood",
+    )
+}
 
 #: Fields that mean something in the forms named here only.
 ONLY_IN: Mapping[str, tuple[str, ...]] = {"COST": ("plan",)}

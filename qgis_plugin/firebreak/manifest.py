@@ -144,6 +144,7 @@ def _description(form: forms.Form, document: dict[str, Any]) -> Description:
         known = {option["name"] for option in options}
         options += [o for o in document["commands"][form.before]["parameters"] if o["name"] not in known]
     fields: list[Field] = []
+    options = [option for option in options if option["name"] not in forms.LEFT_OUT.get(form.name, ())]
     for option in options:
         if option["name"] in forms.METHOD_OPTIONS:
             fields += _method_fields(option, document)

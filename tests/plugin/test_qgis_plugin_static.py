@@ -208,6 +208,13 @@ UNITS = re.compile(
 )
 
 
+def test_form_of_burn_asks_for_a_clock_and_not_for_another_wind():
+    burn = next(d for d in manifest.descriptions() if d.form.name == "burn")
+    plain = {field.option for field in burn.fields if not field.advanced}
+    assert {"network", "mask", "duration", "hold", "embers"} <= plain
+    assert not {field.option for field in burn.fields} & {"model", "wind_speed", "weather", "moisture", "model_params"}
+
+
 @pytest.mark.parametrize("description", manifest.descriptions(), ids=lambda d: d.form.name)
 def test_numbers_have_units(description):
     for field in description.fields:
