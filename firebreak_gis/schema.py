@@ -154,6 +154,8 @@ _VARIABLES = (
     Variable("fire_size_by", ("run", "time"), "int64", "1", "cells burnt in the run by then", 0),
     Variable("duration", ("run",), "float64", "s", "how long the fire of the run may burn; inf if it ends by itself",
              0.0),
+    Variable("containment", ("run",), "float64", "s",
+             "when crews contain the fire of the run; inf if they do not", 0.0),
     Variable("weather", ("run",), "int64", "1", "number of the weather of the run, from 0", 0),
     Variable("value_lost", ("run",), "float64", "1", "value lost in the run, in the unit of the values at risk", 0.0),
 )

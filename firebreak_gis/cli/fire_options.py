@@ -13,7 +13,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def clock(command: F) -> F:
-    """--duration, --ignition-times, --embers."""
+    """--duration, --ignition-times, --embers, --containment."""
     return _apply(
         [
             click.option(
@@ -34,6 +34,14 @@ def clock(command: F) -> F:
                 metavar="on|NAME=VALUE,...",
                 help="Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the "
                 "assumed ones.",
+            ),
+            click.option(
+                "--containment",
+                type=kinds.CONTAINMENT,
+                metavar="TIME|attack:TIME",
+                help="When crews contain each fire: a time or a distribution as for --duration, or a direct attack at "
+                "such a time, which fails if the fire is too large or too fierce by then: "
+                "attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].",
             ),
         ],
         command,

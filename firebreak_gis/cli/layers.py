@@ -137,7 +137,8 @@ def checked_fires(request: FireRequest, network: SpreadNetwork, session: Session
     from firebreak_gis.simulation.ignitions import ignition_places, require_runs
 
     left_out = network.provenance.get("left_out")
-    if left_out and (request.duration is None or request.duration.endless):
+    ends = [request.duration, *([] if request.crews is None or request.crews.attack else [request.crews])]
+    if left_out and all(each is None or each.endless for each in ends):
         session.warn(
             f"the network was made for fires with a clock: {left_out} act on its travel times alone, so fires "
             "that burn until they end by themselves do not feel them; give a duration, or a network without --clock"

@@ -212,6 +212,14 @@ def hold(text: Any, option: str) -> Any:
     return as_hold(text, option)
 
 
+def containment(text: Any, option: str) -> Any:
+    """Read when fires are contained, see `simulation.containment`; None if never, as if it had not been given."""
+    from firebreak_gis.simulation.containment import as_containment
+
+    crews = as_containment(text, option)
+    return None if crews is None or crews.endless else crews
+
+
 def embers(text: Any, option: str) -> Any:
     """Read embers, see `simulation.embers`."""
     from firebreak_gis.simulation.embers import as_embers

@@ -42,6 +42,7 @@ PURPOSES = (
     "check",
     "comparison",
     "places",
+    "containment",
 )
 
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     Part = tuple[np.ndarray, dict[str, np.ndarray]]
 
 #: Numbers of a run that some simulations have, in the order of `simulate`.
-_LATER = ("duration", "weather")
+_LATER = ("duration", "containment", "weather")
 
 
 def simulate_distributed(

@@ -63,10 +63,10 @@ class Duration:
         """Whether every fire ends by itself."""
         return self.kind in ("fixed", "turns") and all(math.isinf(time) for time in self.values)
 
-    def of_runs(self, *, seed: int, n_runs: int, first_run: int = 0) -> np.ndarray:
+    def of_runs(self, *, seed: int, n_runs: int, first_run: int = 0, purpose: str = "durations") -> np.ndarray:
         """Return the seconds that each run burns, (n_runs,) int64; `ENDLESS` where it ends by itself.
 
-        A drawn duration depends on (seed, run) alone.
+        A drawn duration depends on (seed, purpose, run) alone.
         """
         if self.kind == "weather":
             raise ParameterError("durations from the weather need a weather")
@@ -75,7 +75,7 @@ class Duration:
             return np.asarray(times[np.arange(first_run, first_run + n_runs) % times.size])
         from firebreak_gis.kernels.draws import run_keys, uniforms
 
-        shares = [uniforms(key, 1)[0] for key in run_keys(seed, "durations", n_runs, first_run)]
+        shares = [uniforms(key, 1)[0] for key in run_keys(seed, purpose, n_runs, first_run)]
         if self.kind == "uniform":
             low, high = self.values
             drawn = [low + (high - low) * share for share in shares]

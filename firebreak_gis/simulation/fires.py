@@ -19,13 +19,14 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.network import checked_residual
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.schema import annotate
+from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import ENDLESS, as_duration
 from firebreak_gis.simulation.embers import as_embers
-from firebreak_gis.simulation.holding import as_hold
+from firebreak_gis.simulation.holding import as_hold, strongest
 from firebreak_gis.simulation.ignitions import IgnitionMode, Ignitions, resolve_ignitions
 from firebreak_gis.simulation.products import Products, product_maps
 from firebreak_gis.simulation.request import FireRequest
-from firebreak_gis.simulation.timed import burn_timed
+from firebreak_gis.simulation.timed import Group, burn_timed
 from firebreak_gis.simulation.timeless import burn_all, burn_levels
 from firebreak_gis.stakes import checked_amounts
 
@@ -51,6 +52,7 @@ def simulate(
     duration: Any = None,
     weather: WeatherNetworks | None = None,
     embers: Any = None,
+    containment: Any = None,
     hold: Any = None,
     barriers: np.ndarray | xr.DataArray | None = None,
     barriers_hold: float = 1.0,
@@ -88,6 +90,9 @@ def simulate(
         then any of them.
     embers
         True, or `embers.Embers`: embers that fly ahead of the fire. Needs travel times, heat and a wind.
+    containment
+        When crews contain each fire: what `duration` takes, or "attack:1h", a direct attack that fails where the fire
+        is large or fierce by then, or `containment.Containment`. Default: never. Needs travel times.
     hold
         How often a stretch of break holds in a run: a share, "flame", or `holding.Hold`. Default: always.
     barriers
@@ -105,8 +110,8 @@ def simulate(
     -------
     xarray.Dataset
         `burn_count` (y, x) uint32, `burn_frequency` (y, x) float32 (NaN where there is no fuel),
-        `fire_size` (run) int64 [cells], and what `products` asks. With a clock also `duration` (run) [s], with a
-        weather `weather` (run), its number.
+        `fire_size` (run) int64 [cells], and what `products` asks. With a clock also `duration` (run) [s], with crews
+        `containment` (run) [s], with a weather `weather` (run), its number.
 
     Raises
     ------
@@ -143,6 +148,7 @@ def simulate(
         barriers_hold=barriers_hold,
         embers=as_embers(embers),
         ignition_times=ignition_times,
+        containment=as_containment(containment),
     )
     return burn(
         network,
@@ -187,25 +193,21 @@ def burn(
     limits, spells = _limits(network, request, weather, first_run)
     if plain and products is None:
         return burns if request.duration is None else burns.assign(duration=_ends(limits))
-    tally = burn_timed(
-        network,
-        request,
-        start,
-        limits,
-        breaks=breaks,
-        barriers=barriers,
-        value=worth,
-        weather=weather,
-        products=asked,
-        threads=threads,
-        progress=progress,
-    )
+    fires: dict[str, Any] = {"breaks": breaks, "barriers": barriers, "weather": weather, "threads": threads}
+    if request.crews is None:
+        ends = limits
+    else:
+        contained = _containment(network, request, start, limits, progress=part(progress, 0.0, 0.3), **fires)
+        ends, progress = np.minimum(limits, contained), part(progress, 0.3, 1.0)
+    tally = burn_timed(network, request, start, ends, value=worth, products=asked, progress=progress, **fires)
     if not plain:
         counts = tally.counts.reshape(network.shape)
         burns = burn_maps(network, counts, tally.sizes, seed=request.seed, lost=None if worth is None else tally.lost)
     burns = burns.assign(product_maps(network, asked, tally))
     if request.duration is not None:
         burns["duration"] = _ends(limits)
+    if request.crews is not None:
+        burns["containment"] = of_runs("containment", _infinite(contained))
     if spells is not None:
         burns["weather"] = of_runs("weather", spells)
     return burns
@@ -215,7 +217,7 @@ def _limits(
     network: SpreadNetwork, request: FireRequest, weather: WeatherNetworks | None, first_run: int
 ) -> tuple[np.ndarray, np.ndarray | None]:
     """How long each run burns [s], (n_runs,) int64, and its weather if there is any."""
-    runs = {"seed": request.seed, "n_runs": request.n_runs, "first_run": first_run}
+    runs: dict[str, Any] = {"seed": request.seed, "n_runs": request.n_runs, "first_run": first_run}
     spells = None if weather is None else weather.weather.of_runs(**runs)
     if request.duration is None:
         return np.full(request.n_runs, ENDLESS), spells
@@ -226,6 +228,30 @@ def _limits(
             raise ParameterError("the duration is to be as the weather tells, but no weather is given")
         return np.maximum(np.rint(weather.weather.durations(**runs)), 1).astype(np.int64), spells
     return request.duration.of_runs(**runs), spells
+
+
+def _containment(
+    network: SpreadNetwork, request: FireRequest, start: Ignitions, limits: np.ndarray, **fires: Any
+) -> np.ndarray:
+    """When crews contain the fire of each run [s], (n_runs,) int64; `ENDLESS` where they do not.
+
+    To know how a direct attack goes, the runs are burnt up to it.
+    """
+    crews = request.crews
+    if crews is None:
+        return np.full(request.n_runs, ENDLESS)
+    network.require_times("containment")
+    at = crews.of_runs(seed=request.seed, n_runs=request.n_runs, first_run=start.first_run)
+    if not crews.attack:
+        return at
+    network.require_heat("containment by direct attack")
+
+    def fierce(group: Group) -> np.ndarray:
+        each = [strongest(group.network, "containment by direct attack", times) for times in group.times]
+        return np.asarray(np.mean(each, axis=0) > crews.intensity, np.float64).ravel()
+
+    met = burn_timed(network, request, start, np.minimum(limits, at), value=fierce, products=Products(), **fires)
+    return np.where(crews.succeeds(met.sizes, met.lost, network.grid), at, ENDLESS)
 
 
 def resolved(network: SpreadNetwork, request: FireRequest, *, first_run: int = 0) -> Ignitions:
@@ -381,7 +407,11 @@ def burn_maps(
 
 def _ends(limits: np.ndarray) -> xr.DataArray:
     """How long each run may burn [s], infinite without an end."""
-    return of_runs("duration", np.where(limits >= ENDLESS, np.inf, limits.astype(np.float64)))
+    return of_runs("duration", _infinite(limits))
+
+
+def _infinite(times: np.ndarray) -> np.ndarray:
+    return np.where(times >= ENDLESS, np.inf, times.astype(np.float64))
 
 
 def of_runs(name: str, values: np.ndarray) -> xr.DataArray:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from firebreak_gis.simulation.holding import Hold
 
 if TYPE_CHECKING:
+    from firebreak_gis.simulation.containment import Containment
     from firebreak_gis.simulation.durations import Duration
     from firebreak_gis.simulation.embers import Embers
 
@@ -53,6 +54,8 @@ class FireRequest:
         Whether points and polygons where no fire can start are refused or left out.
     ignition_times
         When each point or polygon is lit, see `ignitions.resolve_ignitions`.
+    containment
+        When crews contain fires; None: never.
     """
 
     ignitions: Any = None
@@ -66,12 +69,12 @@ class FireRequest:
     embers: Embers | None = None
     ignitions_outside: Outside = "refuse"
     ignition_times: Any = None
+    containment: Containment | None = None
 
     @property
     def timeless(self) -> bool:
         """Whether nothing is asked but fires that end by themselves and breaks that do not fail by stretches."""
-        endless = self.duration is None or self.duration.endless
-        return endless and self.holding.perfect and self.embers is None
+        return self._endless and self.holding.perfect and self.embers is None
 
     @property
     def holding(self) -> Hold:
@@ -81,13 +84,23 @@ class FireRequest:
     @property
     def needs_times(self) -> bool:
         """Whether the network must tell how long fire takes."""
-        endless = self.duration is None or self.duration.endless
-        return not endless or self.embers is not None or self.holding.share is None
+        return not self._endless or self.embers is not None or self.holding.share is None
+
+    @property
+    def crews(self) -> Containment | None:
+        """How fires are contained; None if none ever is."""
+        return None if self.containment is None or self.containment.endless else self.containment
+
+    @property
+    def _endless(self) -> bool:
+        """Whether all fires end by themselves."""
+        return (self.duration is None or self.duration.endless) and self.crews is None
 
     @property
     def assumptions(self) -> list[str]:
         """What is assumed of the fires beside the spread model, in words, for accounts and pictures."""
         told = [f"fires burn {self.duration.told()}"] if self.duration else ["fires burn until they end by themselves"]
+        told += [self.crews.told()] if self.crews else []
         told += [self.holding.told()] if not self.holding.perfect else []
         told += [f"barriers hold in {self.barriers_hold:.3g} of fires"] if self.barriers_hold < 1 else []
         told += [f"breaks that hold keep {self.residual:.3g} of the spread probability"] if self.residual else []

@@ -6,7 +6,7 @@ Every draw is keyed by the number of the run, so runs may be made in any order, 
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -82,7 +82,7 @@ def burn_timed(
     *,
     breaks: np.ndarray | xr.DataArray | None,
     barriers: np.ndarray | xr.DataArray | None,
-    value: np.ndarray | None,
+    value: np.ndarray | Callable[[Group], np.ndarray] | None,
     weather: WeatherNetworks | None,
     products: Products,
     threads: int | None,
@@ -103,7 +103,7 @@ def burn_timed(
     breaks, barriers
         See `holding.build_walls`.
     value
-        (n_cells,) float64 lost where a cell burns, or None.
+        (n_cells,) float64 lost where a cell burns, or what tells it for a group of runs, or None.
     weather
         Networks of the weather that the runs draw.
     products
@@ -122,7 +122,9 @@ def burn_timed(
     at = np.zeros(start.cells.size, np.uint64) if start.at is None else start.at.astype(np.uint64)
     starts = Starts(start.starts, start.cells, at, limits.astype(np.uint64))
     grid_steps = steps(network.shape, periodic=network.boundary == "periodic")
-    total = new_tally(network, products, n_runs, longest=longest, value=value)
+    by_group = value if callable(value) else None
+    worth = np.zeros(network.burnable.size) if callable(value) else value
+    total = new_tally(network, products, n_runs, longest=longest, value=worth)
     laid = _Laid()
     spaces = _Spaces()
     tallies = _Tallies(total)
@@ -154,7 +156,8 @@ def burn_timed(
         given = (laid.thresholds(group), keys["edges"], grid_steps, clock, starts, walls, flying)
         heat = total.heat if group.network.heat is None else group.network.heat.ravel()
         shown = np.zeros(0, np.float32) if intensity is None else intensity.ravel()
-        piece = partial(_burn_piece, given, spaces, span, tallies, heat, shown)
+        own = {"heat": heat, "value": total.value if by_group is None else by_group(group)}
+        piece = partial(_burn_piece, given, spaces, span, tallies, own, shown)
         report = part(progress, done / n_runs, (done + group.runs.size) / n_runs)
         pieces = [group.runs[i : i + _PIECE] for i in range(0, group.runs.size, _PIECE)]
         run_pieces(piece, pieces, threads=threads, progress=report, message="burning")
@@ -168,14 +171,14 @@ def _burn_piece(
     spaces: _Spaces,
     span: int,
     tallies: _Tallies,
-    heat: np.ndarray,
+    own: Mapping[str, np.ndarray],
     strongest: np.ndarray,
     runs: np.ndarray,
 ) -> None:
     """Burn a few runs on the calling thread."""
     from firebreak_gis.kernels.arrival import burn_timed as burn_runs
 
-    tally = tallies.mine()._replace(heat=heat)
+    tally = tallies.mine()._replace(**own)
     burn_runs(*given, spaces.mine(tally.counts.size, span), runs, tally, strongest)
 
 

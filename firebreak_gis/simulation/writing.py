@@ -170,6 +170,8 @@ def size_table(burns: xr.Dataset, grid: Grid) -> pd.DataFrame:
         table["weather"] = burns["weather"].to_numpy() + 1
     if "duration" in burns:
         table["duration_h"] = (burns["duration"].to_numpy() / 3600.0).round(6)
+    if "containment" in burns:
+        table["contained_h"] = (burns["containment"].to_numpy() / 3600.0).round(6)
     if "fire_size_by" in burns:
         for k, seconds in enumerate(burns["burnt_by"]["time"].to_numpy()):
             table[f"ha_by_{_word(float(seconds))}"] = (

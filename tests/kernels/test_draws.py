@@ -47,7 +47,7 @@ def test_keys_differ_by_seed_purpose_and_run():
 
 def test_seeds_for_a_purpose():
     """Published: other values would change every plan and comparison."""
-    assert draws.PURPOSES[-3:] == ("design", "check", "comparison")
+    assert draws.PURPOSES[9:12] == ("design", "check", "comparison")
     known = [draws.seed_for(0, purpose) for purpose in ("design", "check", "comparison")]
     assert known == [5949034261645103510, 7570335421732594259, 1185441883537222340]
     derived = [draws.seed_for(s, p) for s in range(30) for p in ("design", "check", "comparison")]
