@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -73,8 +74,18 @@ def holding(command: F) -> F:
 
 
 def products(command: F) -> F:
-    """--products and what goes into it."""
-    return _apply(
+    """--products and what goes into it; other runs are kept out of the folder while the command writes."""
+
+    @functools.wraps(command)
+    def wrapper(*args: Any, **kwargs: Any) -> Any:
+        from firebreak_gis.files import claiming
+
+        if kwargs["products"] is None:
+            return command(*args, **kwargs)
+        with claiming(kwargs["products"], folder=True):
+            return command(*args, **kwargs)
+
+    return _apply(  # type: ignore[return-value]
         [
             click.option(
                 "--products",
@@ -102,7 +113,7 @@ def products(command: F) -> F:
                 help="Flame lengths for --products, in metres; left out if the network knows no heat.",
             ),
         ],
-        command,
+        wrapper,
     )
 
 

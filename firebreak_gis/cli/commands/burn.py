@@ -98,7 +98,6 @@ def command(
     kept = _products(asked, heat=untouched.heat is not None) if products else None
     if products and kept:
         untouched.require_times("--products")
-        Path(products).mkdir(parents=True, exist_ok=True)
         made = [str(Path(products) / name) for name in product_files(kept, referenced=untouched.grid.crs is not None)]
         for name in made:
             require_writable(name, overwrite=output.overwrite, forbid=inputs)
