@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     Plane = np.ndarray | xr.DataArray
 
 
-def segments(
+def segments_of(
     network: SpreadNetwork,
     breaks: Plane,
     *,

@@ -253,9 +253,16 @@ def calibrate_sizes(
         more = {**params} if p0 is None else {**params, "p0": p0}
         # Fires whose rates turn out to be higher than simulated grow further in their time.
         growth = growth_of(
-            landscape, weather, ignitions=ignitions, longest=_FURTHER * longest, n_runs=n_runs, seed=seed,
-            threads=threads, progress=step, **more,
-        )  # fmt: skip
+            landscape,
+            weather,
+            ignitions=ignitions,
+            longest=_FURTHER * longest,
+            n_runs=n_runs,
+            seed=seed,
+            threads=threads,
+            progress=step,
+            **more,
+        )
         scale = 1.0
         if "rate" in wanted:
             scale = fire_sizes.rate_factor(growth, sizes[dated], days[dated] * hours_a_day * 3600.0)

@@ -12,7 +12,7 @@ WINDOW = 7
 NORMAL_FROM, DENSE_FROM = 0.5, 0.9
 
 
-def continuity(fuel: np.ndarray) -> np.ndarray:
+def density_by_continuity(fuel: np.ndarray) -> np.ndarray:
     """Return density classes by the share of cells with fuel in the square of 7 x 7 cells about each cell.
 
     Below a half sparse, below nine tenths normal, else dense. Beyond the edge of the map nothing is counted. Cost:

@@ -10,7 +10,7 @@ import numpy as np
 
 from firebreak_gis.errors import LegendError
 from firebreak_gis.grid import Grid
-from firebreak_gis.landscape.continuity import CONTINUITY, continuity
+from firebreak_gis.landscape.continuity import CONTINUITY, density_by_continuity
 from firebreak_gis.landscape.legends import Legend
 from firebreak_gis.landscape.legends.burning import BURNING
 from firebreak_gis.landscape.target_grid import Account
@@ -80,7 +80,7 @@ def fuel_of(
     if cover is not None:
         replaced = (legend.column("density_from_raster", 1)[index] == 1) | np.isnan(density)
         if isinstance(cover, str) and cover == CONTINUITY:
-            given, given_effect = continuity(vegetation > 0).astype(np.float64), None
+            given, given_effect = density_by_continuity(vegetation > 0).astype(np.float64), None
         elif isinstance(cover, str):
             given, given_effect = np.full(grid.shape, float(_density_code(cover))), None
         else:

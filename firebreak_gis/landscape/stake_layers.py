@@ -1,7 +1,7 @@
 """What a planner adds, as layers: named by the user, laid on the grid of a network.
 
 To add a layer: add a field to `StakesRequest`, how it is read to `StakesRequest.read`, an option of that name to
-`cli.stakes`, and, if the plan needs the plane as it is, a field to `StakePlanes`.
+`cli.stakes_options`, and, if the plan needs the plane as it is, a field to `StakePlanes`.
 """
 
 from __future__ import annotations

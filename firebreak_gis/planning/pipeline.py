@@ -10,7 +10,7 @@ import numpy as np
 
 from firebreak_gis.breaks import Budget, BudgetUnit, break_polygons, removal_order, select_breaks
 from firebreak_gis.construction.compartments import compartments
-from firebreak_gis.construction.segments import segments
+from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.curves import evaluate_fires
 from firebreak_gis.evaluation.measures import judge, resamples
@@ -105,7 +105,7 @@ class Plan:
     @property
     def segments(self) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
         """Middle lines and outlines of what is to be built, in order, see `segments.segments`."""
-        return segments(
+        return segments_of(
             self.network,
             self.breaks,
             priority=self.priority,

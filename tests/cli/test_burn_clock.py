@@ -48,17 +48,51 @@ def folder(tmp_path_factory, make_landscape):
 def test_products_are_those_of_simulate(folder):
     told = json.loads(
         run(
-            "burn", folder / "net.tif", "-o", folder / "often.tif", "--breaks", folder / "cut.tif", "--duration", "2h",
-            "--embers", "rate=500", "--hold", "0.47:200", "--ignitions", folder / "start.gpkg", "--runs", 60,
-            "--products", folder / "products", "--by", "30min,2h", "--size-classes", "1,5", "--flame-lengths", "1,3",
-            "--sizes", folder / "sizes.csv", "--seed", 4, "--json",
+            "burn",
+            folder / "net.tif",
+            "-o",
+            folder / "often.tif",
+            "--breaks",
+            folder / "cut.tif",
+            "--duration",
+            "2h",
+            "--embers",
+            "rate=500",
+            "--hold",
+            "0.47:200",
+            "--ignitions",
+            folder / "start.gpkg",
+            "--runs",
+            60,
+            "--products",
+            folder / "products",
+            "--by",
+            "30min,2h",
+            "--size-classes",
+            "1,5",
+            "--flame-lengths",
+            "1,3",
+            "--sizes",
+            folder / "sizes.csv",
+            "--seed",
+            4,
+            "--json",
         ).stdout
-    )["result"]  # fmt: skip
+    )["result"]
     names = {
-        "burnt_by_30min.tif", "burnt_by_2h.tif", "arrival_time_10.tif", "arrival_time_50.tif", "burnt_from_0_ha.tif",
-        "burnt_from_1_ha.tif", "burnt_from_5_ha.tif", "flames_above_1_m.tif", "flames_above_3_m.tif", "fire_paths.tif",
-        "isochrones.gpkg", "fire_sizes.csv",
-    }  # fmt: skip
+        "burnt_by_30min.tif",
+        "burnt_by_2h.tif",
+        "arrival_time_10.tif",
+        "arrival_time_50.tif",
+        "burnt_from_0_ha.tif",
+        "burnt_from_1_ha.tif",
+        "burnt_from_5_ha.tif",
+        "flames_above_1_m.tif",
+        "flames_above_3_m.tif",
+        "fire_paths.tif",
+        "isochrones.gpkg",
+        "fire_sizes.csv",
+    }
     found = {path.name for path in (folder / "products").iterdir()}
     assert {name for name in found if not name.endswith(".qml")} == names
     assert {f"{name[:-4]}.qml" for name in names if name.endswith(".tif")} <= found
@@ -111,9 +145,19 @@ def test_products_are_those_of_simulate(folder):
 
 def test_a_folder_is_burnt_under_its_weather(folder):
     run(
-        "burn", folder / "land", "-o", folder / "weather.tif", "--weather", ROSE, "--duration", "uniform:1h,3h",
-        "--runs", 50, "--sizes", folder / "weather.csv",
-    )  # fmt: skip
+        "burn",
+        folder / "land",
+        "-o",
+        folder / "weather.tif",
+        "--weather",
+        ROSE,
+        "--duration",
+        "uniform:1h,3h",
+        "--runs",
+        50,
+        "--sizes",
+        folder / "weather.csv",
+    )
     landscape = read_landscape_folder(folder / "land")
     networks = weather_networks(landscape, read_weather(ROSE))
     burns = simulate(networks[0].network, weather=networks, duration="uniform:1h,3h", n_runs=50)

@@ -49,9 +49,7 @@ def place(tmp_path_factory, make_landscape):
 
 
 def validate(place, *more):
-    return run(
-        "validate", place / "land", place / "scar.shp", "--start", place / "start.gpkg", "--runs", 40, *more
-    )  # fmt: skip
+    return run("validate", place / "land", place / "scar.shp", "--start", place / "start.gpkg", "--runs", 40, *more)
 
 
 def test_validate_tells_scores_and_writes_them(place, tmp_path):
@@ -147,9 +145,25 @@ def test_scars_calibrate_the_rate_and_every_command_takes_it(place, tmp_path):
 def test_sizes_calibrate_durations(place, tmp_path):
     config = tmp_path / "region.toml"
     told = run(
-        "calibrate", place / "land", place / "fires.csv", "--weather", ROSE, "--least", 1, "--runs", 40, "-o", config,
-        "--first-day-column", "begun", "--last-day-column", "over", "--longest", "20h", "--json",
-    )  # fmt: skip
+        "calibrate",
+        place / "land",
+        place / "fires.csv",
+        "--weather",
+        ROSE,
+        "--least",
+        1,
+        "--runs",
+        40,
+        "-o",
+        config,
+        "--first-day-column",
+        "begun",
+        "--last-day-column",
+        "over",
+        "--longest",
+        "20h",
+        "--json",
+    )
     assert told.exit_code == 0, told.output
     result = json.loads(told.stdout)["result"]
     parameters = tomllib.loads(config.read_text())["parameters"]

@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-import time
 
 import pytest
 
@@ -48,7 +47,16 @@ def test_every_public_name_is_there():
 
 
 def test_help_answers_soon():
-    """A generous bound, ten times the budget of half a second, for a busy machine."""
-    started = time.perf_counter()
-    subprocess.run([sys.executable, "-m", "firebreak_gis", "--help"], capture_output=True, check=True)
-    assert time.perf_counter() - started < 5
+    """Processor time of the whole program, twice the 0.3 s that are asked for, since other machines are slower."""
+    code = (
+        "import sys, time; sys.argv = ['firebreak', '--help']\n"
+        "from firebreak_gis.cli import main\n"
+        "try: main()\n"
+        "finally: print(time.process_time(), file=sys.stderr)"
+    )
+    taken = []
+    for _ in range(3):
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+        assert "Usage: " in done.stdout
+        taken.append(float(done.stderr))
+    assert min(taken) < 0.6

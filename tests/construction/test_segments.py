@@ -15,7 +15,7 @@ from rasterio.features import rasterize
 from firebreak_gis.breaks import select_breaks
 from firebreak_gis.construction.centrelines import find_borders
 from firebreak_gis.construction.compartments import compartments
-from firebreak_gis.construction.segments import segments
+from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.construction.sequence import construction_order
 from firebreak_gis.errors import GridError, InputError
 from firebreak_gis.grid import Grid
@@ -83,7 +83,7 @@ def owners(polygons: gpd.GeoDataFrame, network: SpreadNetwork) -> np.ndarray:
 
 def check(network: SpreadNetwork, cut: np.ndarray, **planes: np.ndarray) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
     """Segments, with everything that must hold for any of them."""
-    lines, polygons = segments(network, cut, **planes)
+    lines, polygons = segments_of(network, cut, **planes)
     weighed = {k: v for k, v in planes.items() if k in ("value", "ignition")}
     _, table = compartments(network, cut, **weighed)
     _, before = compartments(network, np.zeros(network.shape), **weighed)
@@ -265,7 +265,7 @@ def test_slope_cost_value_and_ignition():
     assert lines["cost"].iloc[0] == 5 * 2
     assert lines["gain"].iloc[0] == pytest.approx(5 * 15 - kept)
     elevation = np.where(column == 2, elevation, np.nan)
-    assert math.isnan(segments(network, cut, elevation=elevation)[0]["mean_slope_deg"].iloc[0])
+    assert math.isnan(segments_of(network, cut, elevation=elevation)[0]["mean_slope_deg"].iloc[0])
 
 
 def test_cheap_walls_of_large_compartments_come_first():
@@ -307,11 +307,11 @@ def test_compartments_of_burns():
 def test_wrong_input():
     network, cut = drawn("..#..", "..#..")
     with pytest.raises(GridError, match="breaks has shape"):
-        segments(network, cut[:1])
+        segments_of(network, cut[:1])
     for name in ("cost", "value", "ignition"):
         for bad in (-1.0, math.nan, math.inf):
             with pytest.raises(InputError, match=name):
-                segments(network, cut, **{name: np.full(network.shape, bad)})
+                segments_of(network, cut, **{name: np.full(network.shape, bad)})
     with pytest.raises(InputError, match="burn_frequency"):
         compartments(network, cut, burns=simulate(network, n_runs=1)[["burn_count"]])
 
@@ -368,9 +368,9 @@ def test_turned_maps_give_turned_segments(symmetry):
     network, cut = drawn(*rows)
     rng = np.random.default_rng(5)
     planes = {name: rng.random(network.shape) + 0.5 for name in ("value", "ignition", "cost")}
-    _, there = segments(network, cut, **planes)
+    _, there = segments_of(network, cut, **planes)
     other = turned.turn_network(network, symmetry)
-    _, back = segments(
+    _, back = segments_of(
         other, turned.turn(cut, symmetry), **{k: turned.turn(plane, symmetry) for k, plane in planes.items()}
     )
     for name in ("cells", "length_m", "compartment_a", "compartment_b", "gain", "cost", "stage"):
@@ -382,7 +382,7 @@ def test_turned_maps_give_turned_segments(symmetry):
 def test_inputs_stay_as_they_are():
     network, cut, planes = random_case(2)
     before = [cut.copy(), *(plane.copy() for plane in planes.values())]
-    segments(network, cut, elevation=planes["cost"], priority=planes["value"], **planes)
+    segments_of(network, cut, elevation=planes["cost"], priority=planes["value"], **planes)
     for old, new in zip(before, [cut, *planes.values()], strict=True):
         np.testing.assert_array_equal(old, new)
 
@@ -402,7 +402,7 @@ def test_sample_landscape(sample, tmp_path):
     priority = rank(network, "dissection")
     breaks = select_breaks(priority, budget=0.05, burnable=network.burnable)
     cut = breaks.to_numpy() > 0
-    lines, polygons = segments(network, breaks, priority=priority, elevation=sample["elevation"])
+    lines, polygons = segments_of(network, breaks, priority=priority, elevation=sample["elevation"])
     _, table = compartments(network, breaks)
     _, before = compartments(network, np.zeros(network.shape))
     assert polygons["cells"].sum() == cut.sum()
@@ -434,7 +434,7 @@ def test_segments_tell_what_they_must_stop_where_the_network_has_times_and_heat(
     )
     cut = np.zeros(shape, bool)
     cut[:, 10] = cut[:, 50:53] = True
-    lines, polygons = segments(network, cut)
+    lines, polygons = segments_of(network, cut)
     told = ["intensity_kw_m", "flame_length_m", "breach", "width_wilson_m", "width_flames_m"]
     assert list(polygons.columns) == [*COLUMNS[:-1], *told, "geometry"]
     assert list(lines.columns) == list(polygons.columns)

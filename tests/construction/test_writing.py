@@ -14,7 +14,7 @@ from click.testing import CliRunner
 from firebreak_gis import rank, select_breaks, spread_network, write_raster
 from firebreak_gis.cli import firebreak
 from firebreak_gis.construction.compartments import compartments
-from firebreak_gis.construction.segments import segments
+from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.construction.writing import write_compartments, write_segments
 from firebreak_gis.errors import CRSError, OutputError
 from firebreak_gis.planning.pipeline import plan
@@ -45,7 +45,7 @@ def styles(path):
 
 
 def test_layers_of_one_file(network, breaks, tmp_path):
-    lines, polygons = segments(network, breaks)
+    lines, polygons = segments_of(network, breaks)
     write_segments(tmp_path / "s.gpkg", lines, polygons)
     assert [row[0] for row in pyogrio.list_layers(tmp_path / "s.gpkg")] == ["lines", "polygons", "layer_styles"]
     for name, frame in (("lines", lines), ("polygons", polygons)):
@@ -66,10 +66,10 @@ def test_layers_of_one_file(network, breaks, tmp_path):
 
 
 def test_styles_lie_in_the_file(network, breaks, tmp_path):
-    write_segments(tmp_path / "s.gpkg", *segments(network, breaks))
+    write_segments(tmp_path / "s.gpkg", *segments_of(network, breaks))
     found = styles(tmp_path / "s.gpkg")
     assert set(found) == {"lines", "polygons"}
-    lines, polygons = segments(network, breaks)
+    lines, polygons = segments_of(network, breaks)
     for name, frame in (("lines", lines), ("polygons", polygons)):
         root, default, column = found[name]
         assert default
@@ -102,7 +102,7 @@ def test_classes_cover_all_values(values):
 
 def test_nothing_to_build(network, tmp_path):
     nothing = np.zeros(network.shape)
-    write_segments(tmp_path / "s.gpkg", *segments(network, nothing))
+    write_segments(tmp_path / "s.gpkg", *segments_of(network, nothing))
     assert len(gpd.read_file(tmp_path / "s.gpkg", layer="lines")) == 0
     _, table = compartments(network, nothing)
     write_compartments(tmp_path / "c.gpkg", table)

@@ -24,6 +24,18 @@ def test_imports_only_go_down():
     assert "0 broken" in done.stdout
 
 
+def test_no_module_leads_back_to_itself():
+    """Neither do imports inside functions; those for type checkers alone do not count."""
+    import grimp
+    import networkx as nx
+
+    graph = grimp.build_graph("firebreak_gis", exclude_type_checking_imports=True, cache_dir=None)
+    arrows = nx.DiGraph((m, n) for m in graph.modules for n in graph.find_modules_directly_imported_by(m))
+    assert len(arrows) > 150
+    rings = [ring for ring in nx.strongly_connected_components(arrows) if len(ring) > 1]
+    assert rings == []
+
+
 def contracts():
     parser = configparser.ConfigParser()
     parser.read(ROOT / ".importlinter")
@@ -92,6 +104,11 @@ def test_rasters_are_opened_and_written_in_one_place():
             assert ".to_file(" not in text, path
         if path.parts[-2] != "files":
             assert "os.replace(" not in text, path
+
+
+def test_one_formatter_for_all():
+    for path in [*MODULES, *(ROOT / "tests").rglob("*.py")]:
+        assert f"fmt: {'skip'}" not in path.read_text(encoding="utf-8"), path
 
 
 def test_no_module_is_a_drawer_for_odds_and_ends():

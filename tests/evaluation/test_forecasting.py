@@ -229,8 +229,11 @@ def test_growth_is_that_of_the_ensemble(wide):
 def test_a_configuration_is_toml(tmp_path):
     made = Calibration(
         {"clock": True, "duration": "lognormal:3600s,0.5", "weather": 'C:\\a "b".csv', "model-param": {"p0": 0.5}},
-        1, 2, pd.DataFrame(), notes=("a note",),
-    )  # fmt: skip
+        1,
+        2,
+        pd.DataFrame(),
+        notes=("a note",),
+    )
     assert tomllib.loads(made.config())["parameters"] == made.parameters
 
 
@@ -244,9 +247,14 @@ def belgian(name, hours):
         resolution=40.0,
     )
     return Case(
-        land, shared(name, "observed_scar.shp"), shared(name, "ignition.gpkg"), f"{hours}h",
-        shared(name, "weather.csv"), "1h", name,
-    )  # fmt: skip
+        land,
+        shared(name, "observed_scar.shp"),
+        shared(name, "ignition.gpkg"),
+        f"{hours}h",
+        shared(name, "weather.csv"),
+        "1h",
+        name,
+    )
 
 
 @real

@@ -10,7 +10,7 @@ from firebreak_gis import spread_network
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.landscape import read_landscape
-from firebreak_gis.landscape.continuity import continuity
+from firebreak_gis.landscape.continuity import density_by_continuity
 from firebreak_gis.landscape.planes import ignition_source
 from firebreak_gis.landscape.weather_layers import WeatherReader
 from tests.places import NORTH_WEST, UTM, patches, real, relief, shared, square, write
@@ -145,7 +145,7 @@ def continuity_twin(fuel):
 @given(st.integers(1, 20), st.integers(1, 20), st.integers(0, 99), st.floats(0.2, 1.0))
 def test_continuity_is_the_share_of_fuel_around(rows, cols, seed, share):
     fuel = np.random.default_rng(seed).random((rows, cols)) < share
-    np.testing.assert_array_equal(continuity(fuel), continuity_twin(fuel))
+    np.testing.assert_array_equal(density_by_continuity(fuel), continuity_twin(fuel))
 
 
 def test_density_from_continuity_in_a_landscape(tmp_path):
@@ -173,6 +173,6 @@ def test_continuity_is_how_the_density_of_rhodes_was_made():
             return source.read(1)
 
     fuel = read("rhodes_vegetation.tif") > 0
-    found = np.where(fuel, continuity(fuel), 0)
+    found = np.where(fuel, density_by_continuity(fuel), 0)
     # There the land ends at the edge of the map; here what lies beyond is not counted.
     np.testing.assert_array_equal(found[3:-3, 3:-3], read("rhodes_density.tif")[3:-3, 3:-3])

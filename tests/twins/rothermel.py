@@ -99,9 +99,13 @@ def models():
             loads, ratios = [float(n) for n in numbers[:5]], [float(n) for n in numbers[5:8]]
             depth, extinction, heat = (float(n) for n in numbers[8:])
             found[int(code)] = {
-                "loads": loads, "ratios": ratios, "depth": depth, "extinction": extinction / 100, "heat": heat,
+                "loads": loads,
+                "ratios": ratios,
+                "depth": depth,
+                "extinction": extinction / 100,
+                "heat": heat,
                 "cures": cures == "1",
-            }  # fmt: skip
+            }
     for line in _PORTUGUESE.split("\n"):
         if line:
             code, *numbers = line.split(",")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, outputs, stakes
+from firebreak_gis.cli import filters, kinds, options, outputs, stakes_options
 from firebreak_gis.cli.layers import read_priority, tell
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -35,7 +35,7 @@ STEP = 5
     help="Cost per hectare, for --budget-unit cost: a raster, or polygons with --cost-field.",
 )
 @click.option("--cost-field", metavar="NAME", help="Column of the cost polygons.")
-@stakes.cost_default
+@stakes_options.cost_default
 @filters.where
 @filters.foreign
 @click.option(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, outputs, parsing, stakes
+from firebreak_gis.cli import filters, kinds, options, outputs, parsing, stakes_options
 from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built
@@ -113,7 +113,7 @@ OUTPUTS: tuple[Output[_Compared], ...] = (
     help="Shares of its spread probability that a treated cell keeps, separated by commas; 0 is perfect.",
 )
 @options.dem
-@stakes.stakes
+@stakes_options.stakes
 @filters.where
 @options.fires
 @options.seed

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, options, outputs, stakes, weather_options
+from firebreak_gis.cli import filters, options, outputs, stakes_options, weather_options
 from firebreak_gis.cli.layers import input_files, read_layers, read_stakes
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
 from firebreak_gis.cli.requests import built
@@ -36,7 +36,7 @@ STEP = 1
 @options.ranking
 @options.leaks
 @click.option("--refine", is_flag=True, help="Improve the breaks by local search on simulated fires; takes longer.")
-@stakes.stakes
+@stakes_options.stakes
 @filters.where
 @options.fires
 @options.seed

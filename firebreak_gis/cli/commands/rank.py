@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, outputs, stakes
+from firebreak_gis.cli import filters, kinds, options, outputs, stakes_options
 from firebreak_gis.cli.layers import input_files, read_stakes, ridges
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -25,7 +25,7 @@ STEP = 4
 @options.leaks
 @options.dem
 @options.ignition_map
-@stakes.stakes
+@stakes_options.stakes
 @filters.where
 @options.seed
 @options.fitting("rank")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, outputs, stakes
+from firebreak_gis.cli import filters, kinds, options, outputs, stakes_options
 from firebreak_gis.cli.layers import read_breaks, read_priority, read_stakes
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -37,7 +37,7 @@ STEP = 6
 @filters.foreign
 @click.option("--dem", type=kinds.RASTER, metavar="RASTER", help="Elevation on any grid, for the slopes [m].")
 @options.ignition_map
-@stakes.stakes
+@stakes_options.stakes
 @filters.where
 @options.common
 @built(output=OutputRequest, at_stake=StakesRequest)
@@ -59,7 +59,7 @@ def command(
     and cost, and the share of all that the breaks save that it adds.
     """
     from firebreak_gis.construction.compartments import compartments
-    from firebreak_gis.construction.segments import segments
+    from firebreak_gis.construction.segments import segments_of
     from firebreak_gis.construction.writing import write_compartments, write_segments
     from firebreak_gis.files import require_writable, together
     from firebreak_gis.landscape.planes import elevation_plane
@@ -80,7 +80,7 @@ def command(
             f"the cost of {unknown} of the cells cut is not known; say what cutting a hectare costs (--cost-default)"
         )
     session.progress(0.2, "segments")
-    lines, polygons = segments(
+    lines, polygons = segments_of(
         barred,
         cut,
         priority=read_priority(priority, session, foreign=foreign) if priority else None,
