@@ -123,6 +123,18 @@ def calibrate_scars(
     ------
     ParameterError
         If there are fewer fires than parameters, or something else is to be fitted.
+
+    Examples
+    --------
+    >>> import geopandas as gpd
+    >>> import firebreak_gis as fb
+    >>> from firebreak_gis.evaluation.forecasting import Case
+    >>> layers = [f"sample_data/{name}.tif" for name in ("dem", "vegetation", "density")]
+    >>> land = fb.read_landscape(*layers, resolution=100)
+    >>> start = gpd.read_file("sample_data/ignitions.gpkg").to_crs("EPSG:32635").iloc[:1]
+    >>> found = fb.calibrate_scars([Case(land, start.buffer(400), start, "1h", "rose:NW=4")], n_runs=20)
+    >>> (found.n_parameters, found.n_fires), list(found.parameters)
+    ((1, 1), ['clock', 'model-param'])
     """
     import pandas as pd
 
@@ -237,6 +249,17 @@ def calibrate_sizes(
         If there are fewer fires than parameters.
     InputError
         If the simulated fires do not reach the sizes of the observed ones.
+
+    Examples
+    --------
+    >>> import pandas as pd
+    >>> import firebreak_gis as fb
+    >>> layers = [f"sample_data/{name}.tif" for name in ("dem", "vegetation", "density")]
+    >>> land = fb.read_landscape(*layers, resolution=100)
+    >>> fires = pd.DataFrame({"ha": [5.0, 12.0, 20.0, 45.0, 110.0], "days": [1, 1, 1, 2, 3]})
+    >>> found = fb.calibrate_sizes(land, fires, weather="rose:NW=4,N=4", least=4, n_runs=50)
+    >>> found.n_parameters, found.parameters["duration"].startswith("lognormal:")
+    (3, True)
     """
     import pandas as pd
 

@@ -249,6 +249,19 @@ def validate(
     ------
     InputError, ParameterError, GridError
         If an input cannot be used.
+
+    Examples
+    --------
+    A fire of an hour, held against a circle of 400 m about its start:
+
+    >>> import geopandas as gpd
+    >>> import firebreak_gis as fb
+    >>> layers = [f"sample_data/{name}.tif" for name in ("dem", "vegetation", "density")]
+    >>> land = fb.read_landscape(*layers, resolution=100)
+    >>> start = gpd.read_file("sample_data/ignitions.gpkg").to_crs("EPSG:32635").iloc[:1]
+    >>> result = fb.validate(land, start.buffer(400), start=start, duration="1h", weather="rose:NW=4", n_runs=20)
+    >>> sorted(result.beats), result.scores["none"]["growth_iou"]
+    (['distance', 'ellipse', 'none'], 0.0)
     """
     case = open_case(Case(landscape, scar, start, duration, weather, step))
     forecast = run_case(case, params, n_runs=n_runs, seed=seed, threads=threads, progress=progress)
