@@ -13,7 +13,18 @@ from firebreak_gis.cli import kinds
 F = TypeVar("F", bound=Callable[..., Any])
 
 
-def clock(command: F) -> F:
+def judging(command: F) -> F:
+    """The fires that plans are judged by: `clock` and `holding`, assumed where nothing is said, and --timeless."""
+    timeless = click.option(
+        "--timeless",
+        is_flag=True,
+        help="Fires end by themselves and breaks hold in every fire unless --hold says otherwise, as in the paper.",
+    )
+    assumed = "lognormal:8h,0.7, an assumption"
+    return clock(holding(timeless(command), default="0.47, an assumption"), default=assumed)
+
+
+def clock(command: F, *, default: str = "until they end by themselves") -> F:
     """--duration, --ignition-times, --embers, --containment."""
     return _apply(
         [
@@ -22,7 +33,7 @@ def clock(command: F) -> F:
                 type=kinds.DURATION,
                 metavar="TIME",
                 help="How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and "
-                "sigma), uniform:2h,12h, or weather [default: until they end by themselves].",
+                f"sigma), uniform:2h,12h, or weather [default: {default}].",
             ),
             click.option(
                 "--ignition-times",
@@ -49,7 +60,7 @@ def clock(command: F) -> F:
     )
 
 
-def holding(command: F) -> F:
+def holding(command: F, *, default: str = "always") -> F:
     """--hold and --barriers-hold."""
     return _apply(
         [
@@ -59,7 +70,7 @@ def holding(command: F) -> F:
                 metavar="SHARE|flame",
                 help="How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and "
                 "the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, "
-                "or as in 0.47:800 [default: always].",
+                f"or as in 0.47:800 [default: {default}].",
             ),
             click.option(
                 "--barriers-hold",

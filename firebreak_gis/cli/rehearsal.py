@@ -74,6 +74,7 @@ def foresee(
     table: Sequence[Output[Any]],
     *,
     method: str | None = None,
+    clock: bool = False,
 ) -> Foreseen:
     """Resolve the grid from the headers; refuse what will fit neither into memory nor on the disk.
 
@@ -87,6 +88,8 @@ def foresee(
         What is written into the output folder.
     method
         Ranking of a plan; None if layers are only aligned.
+    clock
+        Whether its fires need travel times.
 
     Raises
     ------
@@ -104,7 +107,7 @@ def foresee(
     rows, cols = found.grid.shape
     needed = memory.bytes_for("align", 0) + found.memory
     if method is not None:
-        needed = max(needed, memory.bytes_for("plan", rows * cols, method=method))
+        needed = max(needed, memory.bytes_for("plan", rows * cols, method=method, clock=clock))
     what = f"a landscape of {rows} x {cols} cells" if method is None else f"a plan of {rows} x {cols} cells by {method}"
     memory.require_memory(needed, what, max_memory=layers.max_memory)
     size = (_LAYER_BYTES if method is None else _PLAN_BYTES) * rows * cols + _OTHER_BYTES
@@ -146,12 +149,15 @@ def require_possible(request: PlanRequest) -> None:
         If a file that an option names does not exist.
     """
     from firebreak_gis.network import checked_residual
+    from firebreak_gis.planning.judging import judging
 
     checked_residual(request.fires.residual)
     if request.design.budget_unit == "share":
         request.design.amount.require()
     plugins.build_params(plugins.load("ranking", request.design.method), request.design.method_params)
     request.spread.require()
+    request.weather.read()
+    judging(request.fires, timed=True, timeless=request.timeless)
     named = {"ignitions": request.fires.ignitions, **request.stakes.layers}
     for option, name in named.items():
         if name and not stands(file_of(name)):

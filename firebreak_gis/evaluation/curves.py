@@ -11,7 +11,11 @@ import numpy as np
 from firebreak_gis.breaks import require_priority
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
+from firebreak_gis.simulation.durations import as_duration
+from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.fires import burn_budgets
+from firebreak_gis.simulation.ground import Ground
+from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode
 
 if TYPE_CHECKING:
@@ -19,6 +23,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.simulation.weather import WeatherNetworks
 
 #: Ranks the cells for a budget (a share) and a residual, reporting its progress; the same object for the same plan.
 Ranker = Callable[[float, float, Progress], "np.ndarray | xr.DataArray"]
@@ -41,6 +46,11 @@ def evaluate(
     ignition_mode: IgnitionMode = "each",
     n_runs: int = 100,
     seed: int = 0,
+    residual: float = 0.0,
+    duration: Any = None,
+    weather: WeatherNetworks | None = None,
+    embers: Any = None,
+    hold: Any = None,
     test: Test = "wilcoxon",
     alpha: float = 0.01,
     threads: int | None = None,
@@ -61,6 +71,9 @@ def evaluate(
         Method that the others are tested against.
     ignitions, ignition_mode, n_runs, seed, threads, progress
         As in `simulate`.
+    residual, duration, weather, embers, hold
+        As in `simulate`; with any of the last four the fires of every budget are burnt again, so give few budgets.
+        Without them breaks are perfect, and all budgets take one pass a run.
     test, alpha
         See `tell_apart`; significance threshold.
 
@@ -85,7 +98,20 @@ def evaluate(
     >>> float(result["p_value"].sel(ranking="bonacich", budget=0.0))  # the same fires, and nothing cut
     1.0
     """
-    request = FireRequest(ignitions, ignition_mode, n_runs, seed)
+    request = FireRequest(
+        ignitions,
+        ignition_mode,
+        n_runs,
+        seed,
+        residual,
+        duration=None if duration is None else as_duration(duration),
+        hold=as_hold(hold),
+        embers=as_embers(embers),
+    )
+    if residual and request.timeless and weather is None:
+        raise ParameterError(
+            "residual counts with a duration, embers, hold or weather; without them breaks are perfect"
+        )
     return evaluate_fires(
         network,
         priorities,
@@ -94,6 +120,7 @@ def evaluate(
         baseline=baseline,
         test=test,
         alpha=alpha,
+        ground=Ground(network, weather),
         threads=threads,
         progress=progress,
     )
@@ -108,10 +135,23 @@ def evaluate_fires(
     baseline: str = "random",
     test: Test = "wilcoxon",
     alpha: float = 0.01,
+    ground: Ground | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
-    """Judge rankings on the fires of a request; all else as in `evaluate`."""
+    """Judge rankings on the fires of a request.
+
+    Parameters
+    ----------
+    network
+        What the rankings were made on, and of whose fuel the budgets and burnt areas are shares.
+    request
+        The fires. With a clock, embers or breaks that fail, each budget is burnt by itself; see `burn_budgets`.
+    ground
+        Where the fires burn, if that is not `network`.
+    priorities, budgets, baseline, test, alpha, threads, progress
+        As in `evaluate`.
+    """
     _require_choice(priorities, baseline, test)
     for priority in priorities.values():
         require_priority(priority)
@@ -121,9 +161,13 @@ def evaluate_fires(
         if callable(priority):
             plans = _plans(priority, budgets, part(step, 0.0, 0.5))
             later = part(step, 0.5, 1.0)
-            burnt = burnt_under(network, plans, request, budgets=budgets, threads=threads, progress=later)
+            burnt = burnt_under(
+                network, plans, request, budgets=budgets, ground=ground, threads=threads, progress=later
+            )
         else:
-            burnt = burn_budgets(network, priority, request, budgets=budgets, threads=threads, progress=step).to_numpy()
+            burnt = burn_budgets(
+                network, priority, request, budgets=budgets, ground=ground, threads=threads, progress=step
+            ).to_numpy()
         cells[name] = burnt
     fuel = max(network.n_burnable, 1)
     result = summarise(cells, fuel=fuel, budgets=budgets, baseline=baseline, test=test, alpha=alpha)
@@ -141,16 +185,17 @@ def burnt_under(
     request: FireRequest,
     *,
     budgets: Sequence[float] | np.ndarray,
+    ground: Ground | None = None,
     threads: int | None = None,
     progress: Progress,
 ) -> np.ndarray:
-    """Cells burnt under perfect breaks where each budget has its own plan.
+    """Cells burnt where each budget has its own plan.
 
     Parameters
     ----------
     plans
         The priority for each of the budgets; those in a row that are one object are burnt in one pass.
-    request, budgets, threads
+    request, budgets, ground, threads
         As in `burn_budgets`.
 
     Returns
@@ -164,7 +209,8 @@ def burnt_under(
 
     def burn(until: int) -> None:
         step, some = part(progress, first / count, until / count), budgets[first:until]
-        parts.append(burn_budgets(network, plan, request, budgets=some, threads=threads, progress=step).to_numpy())
+        more: dict[str, Any] = {"ground": ground, "threads": threads, "progress": step}
+        parts.append(burn_budgets(network, plan, request, budgets=some, **more).to_numpy())
 
     for k, made in enumerate(plans):
         if k and made is not plan:

@@ -15,6 +15,7 @@ from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.simulation.fires import burn, resolved
+from firebreak_gis.simulation.ground import Ground
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -32,6 +33,7 @@ def compare_plans(
     budgets: Sequence[float],
     residuals: Sequence[float] = (0.0, 0.05, 0.1),
     value: np.ndarray | None = None,
+    ground: Ground | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
@@ -53,6 +55,8 @@ def compare_plans(
         Shares of its spread probability that a treated cell keeps; 0 is a perfect break.
     value
         (rows, cols) value lost when the cell burns; without it every cell counts 1.
+    ground
+        Where the fires burn, if that is not `network`.
     threads, progress
         As in `simulate`.
 
@@ -64,8 +68,8 @@ def compare_plans(
 
     Notes
     -----
-    Perfect breaks need one pass a run for all budgets (`burn_curve`) unless values are given; leaking ones are
-    simulated for each budget, with the same draws.
+    Perfect breaks and fires without a clock need one pass a run for all budgets (`burn_curve`) unless values are given;
+    all else is simulated for each budget, with the same draws.
     """
     import xarray as xr
 
@@ -77,7 +81,8 @@ def compare_plans(
     fresh = replace(fires, seed=seed_for(fires.seed, "comparison"))
     fresh = replace(fresh, ignitions=resolved(network, fresh))
     worth = network.burnable.astype(np.float64) if value is None else value
-    untreated = burn(network, fresh, value=worth, threads=threads, progress=part(report, 0.0, 0.02, "untreated: "))
+    ground = ground or Ground(network)
+    untreated = _fires(ground, fresh, None, worth, threads, part(report, 0.0, 0.02, "untreated: "))
     shape = (len(priorities), len(budgets), len(residuals), fires.n_runs)
     burnt, lost = np.zeros(shape), np.zeros(shape)
     steps = [(i, j) for i in range(len(priorities)) for j in range(len(residuals))]
@@ -93,6 +98,7 @@ def compare_plans(
         ]
         burnt[i, :, j], lost[i, :, j] = _burn(
             network,
+            ground,
             ranked,
             budgets,
             replace(fresh, residual=residual),
@@ -120,8 +126,29 @@ def compare_plans(
     )
 
 
+def _fires(
+    ground: Ground,
+    fires: FireRequest,
+    breaks: xr.DataArray | None,
+    value: np.ndarray | None,
+    threads: int | None,
+    progress: Progress,
+) -> xr.Dataset:
+    return burn(
+        ground.network,
+        fires,
+        breaks=breaks,
+        value=value,
+        weather=ground.weather,
+        barriers=ground.barriers,
+        threads=threads,
+        progress=progress,
+    )
+
+
 def _burn(
     network: SpreadNetwork,
+    ground: Ground,
     ranked: list[Any],
     budgets: Sequence[float],
     fires: FireRequest,
@@ -133,17 +160,14 @@ def _burn(
     shape = (len(budgets), fires.n_runs)
     burnt, lost = np.zeros(shape), np.zeros(shape)
     if fires.residual == 0.0 and value is None:
-        burnt[:] = burnt_under(network, ranked, fires, budgets=budgets, threads=threads, progress=progress).T
+        burnt[:] = burnt_under(
+            network, ranked, fires, budgets=budgets, ground=ground, threads=threads, progress=progress
+        ).T
         return burnt, burnt
     for k, (priority, budget) in enumerate(zip(ranked, budgets, strict=True)):
-        run = burn(
-            network,
-            fires,
-            breaks=select_breaks(priority, budget=budget, burnable=network.burnable),
-            value=value,
-            threads=threads,
-            progress=part(progress, k / len(budgets), (k + 1) / len(budgets)),
-        )
+        breaks = select_breaks(priority, budget=budget, burnable=network.burnable)
+        step = part(progress, k / len(budgets), (k + 1) / len(budgets))
+        run = _fires(ground, fires, breaks, value, threads, step)
         burnt[k] = run["fire_size"]
         lost[k] = run["fire_size"] if value is None else run["value_lost"]
     return burnt, lost

@@ -50,10 +50,10 @@ def _evaluation_runs(plan: Plan) -> pd.DataFrame:
     return runs_table(plan.evaluation)
 
 
-def _evaluation(plan: Plan) -> pd.DataFrame:
+def _evaluation(result: xr.Dataset) -> pd.DataFrame:
     from firebreak_gis.evaluation.curves import table
 
-    return table(plan.evaluation)
+    return table(result)
 
 
 def _breaks(plan: Plan, path: Path, how: Writing) -> None:
@@ -78,8 +78,9 @@ def _overview(plan: Plan, path: Path, how: Writing) -> None:
         plan.before,
         plan.after,
         plan.evaluation,
-        title=_headline(plan),
+        title=_title(plan),
         budget=float(plan.share),
+        caption=" ".join(plan.judged.assumptions),
     )
     save(figure, path, overwrite=how.overwrite)
 
@@ -95,12 +96,20 @@ def _page(plan: Plan, path: Path, how: Writing) -> None:
         "burn_frequency_with_breaks.tif": plan.after["burn_frequency"],
         "segments.gpkg": plan.segments[1],
         "compartments.gpkg": plan.compartments,
-        "evaluation.csv": _evaluation(plan),
+        "evaluation.csv": _evaluation(plan.evaluation),
     }
     present = names(OUTPUTS, plan.landscape)
     files = [(name, label) for name, label in labels(OUTPUTS).items() if name in present]
-    text = render(plan_page(parts, told("plan", how, _account(plan)) | {"files": files}))
+    text = render(plan_page(parts, told("plan", how, _account(plan)) | {"files": files, **_note(plan)}))
     write_text(path, text, overwrite=how.overwrite)
+
+
+def _note(plan: Plan) -> dict[str, str]:
+    """What the curve shows, where it is not that of the paper's fires."""
+    if not plan.judged.reburnt:
+        return {}
+    note = "Mean burnt share of the fuel when the first cells of each ranking are cut"
+    return {"curve_note": f"{note}; {plan.judged.short}. The dashed line is this plan."}
 
 
 def _account(plan: Plan) -> dict[str, Any]:
@@ -109,6 +118,8 @@ def _account(plan: Plan) -> dict[str, Any]:
         "alignment": plan.landscape.attrs.get("alignment", []),
         "warnings": [*plan.landscape.attrs.get("warnings", []), *plan.feasibility.warnings],
         "feasibility": plan.feasibility.account,
+        "headline": plan.headline,
+        "assumptions": plan.judged.assumptions,
         "summary": plan.summary,
     }
 
@@ -128,8 +139,13 @@ OUTPUTS: tuple[Output[Plan], ...] = (
     Output("segments.gpkg", "Segments to build, in order", _segments, main=True),
     Output("compartments.gpkg", "Compartments between the breaks", _compartments, main=True),
     _table("fire_sizes.csv", "Size of every fire without and with the breaks", lambda plan: plan.fire_sizes),
-    _table("evaluation.csv", "Burnt share at every budget", _evaluation),
+    _table("evaluation.csv", "Burnt share at every budget", lambda plan: _evaluation(plan.evaluation)),
     _table("evaluation_runs.csv", "Cells burnt in every run of it", _evaluation_runs),
+    _table(
+        "evaluation_timeless.csv",
+        "Burnt share at every budget, without a clock and with perfect breaks",
+        lambda plan: _evaluation(plan.paper),
+    ),
     Output("overview.png", "Picture of the plan", _overview),
     Output("report.html", "The plan on one page: map, segments, doubt; opens in any browser", _page, main=True),
     account("plan", _account),
@@ -188,11 +204,12 @@ def write_plan(
     return write_all(OUTPUTS, result, folder, how, variables=result.landscape, progress=progress)
 
 
-def _headline(result: Plan) -> str:
+def _title(result: Plan) -> str:
     summary = result.summary
     return (
         f"Fire breaks by {result.request.design.method}: "
         f"{100 * result.share:.3g} % of the fuel cut ({summary['ha_cut']:,.0f} ha), "
-        f"mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % "
-        f"\N{RIGHTWARDS ARROW} {100 * summary['burnt_share_with_breaks']:.1f} %"
+        f"mean fire {summary['fire_ha_without_breaks']:,.4g} "
+        f"\N{RIGHTWARDS ARROW} {summary['fire_ha_with_breaks']:,.4g} ha, "
+        f"{100 * summary['saved_share']:.3g} % saved"
     )

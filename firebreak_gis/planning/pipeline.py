@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,14 +18,18 @@ from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
+from firebreak_gis.planning.judging import Judging, Scene, headline
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
-from firebreak_gis.planning.weather import SpreadRequest
+from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
+from firebreak_gis.simulation.containment import as_containment
+from firebreak_gis.simulation.durations import as_duration
+from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.fires import burn, resolved
+from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.ignitions import Ignitions
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode, Outside
-from firebreak_gis.spread import spread_network
 from firebreak_gis.stakes import StakePlanes, Stakes
 
 if TYPE_CHECKING:
@@ -57,7 +62,12 @@ class Plan:
     before, after
         Burns of the same fires without and with the breaks, as `simulate` returns them.
     evaluation
-        R(d_f) of the ranking and the baselines, as `evaluate` returns it.
+        R(d_f) of the ranking and the baselines under these fires, as `evaluate` returns it; with a clock at a few
+        budgets.
+    paper
+        The same for fires that end by themselves and perfect breaks.
+    judged
+        What the fires and the breaks were taken for, and what is assumed.
     request
         What was asked for.
     share
@@ -74,6 +84,8 @@ class Plan:
     before: xr.Dataset
     after: xr.Dataset
     evaluation: xr.Dataset
+    paper: xr.Dataset
+    judged: Judging
     request: PlanRequest
     share: float
     feasibility: Feasibility
@@ -81,7 +93,7 @@ class Plan:
     @property
     def parameters(self) -> dict[str, Any]:
         """What was asked for, as plain data for an account of the plan."""
-        design, spread, fires = self.request.design, self.request.spread, self.request.fires
+        design, spread, fires = self.request.design, self.request.spread, self.judged.fires
         return {
             "budget": design.budget,
             "budget_unit": design.budget_unit,
@@ -92,6 +104,11 @@ class Plan:
             "model_params": dict(spread.model_params),
             "width": design.width,
             "residual": fires.residual,
+            "timeless": self.request.timeless,
+            "duration": None if fires.duration is None else fires.duration.told(),
+            "hold": fires.holding.told(),
+            "embers": None if fires.embers is None else fires.embers.told(),
+            "containment": None if fires.crews is None else fires.crews.told(),
             "refine": design.refine,
             "n_runs": fires.n_runs,
             "seed": fires.seed,
@@ -121,6 +138,11 @@ class Plan:
         return compartments(
             self.network, self.breaks, value=self.stakes.value, ignition=self.stakes.ignition, burns=self.after
         )[1]
+
+    @property
+    def headline(self) -> list[str]:
+        """What the plan saves, as sentences: first under the fires that were asked or assumed, then in the paper's."""
+        return headline(self.summary, self.judged)
 
     @property
     def fire_sizes(self) -> pd.DataFrame:
@@ -165,6 +187,14 @@ class Plan:
             "burnt_share_with_breaks": float(after.mean() / n_burnable),
             "burnt_share_with_breaks_p90": float(np.percentile(after, 90) / n_burnable),
             "burnt_share_with_breaks_max": float(after.max() / n_burnable),
+            "saved_share": float(1.0 - after.mean() / before.mean()) if before.any() else 0.0,
+            "fire_ha_without_breaks": float(before.mean() * area),
+            "fire_ha_with_breaks": float(after.mean() * area),
+        }
+        endless = self.paper["mean"].sel(ranking=self.request.design.method)
+        figures["timeless"] = {
+            "burnt_share_without_breaks": float(endless.sel(budget=0.0)),
+            "burnt_share_with_breaks": float(endless.sel(budget=self.share)),
         }
         figures["cut_classes"] = self.cut_classes
         lost = self.after["value_lost"] if "value_lost" in self.after else self.after["fire_size"]
@@ -200,6 +230,13 @@ def plan(
     ignition: Plane | None = None,
     width: float | None = None,
     residual: float = 0.0,
+    hold: Any = None,
+    barriers_hold: float = 1.0,
+    duration: Any = None,
+    weather: Any = None,
+    embers: Any = None,
+    containment: Any = None,
+    timeless: bool = False,
     refine: bool = False,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
@@ -233,6 +270,17 @@ def plan(
     residual
         Share of its spread probability that a treated cell keeps; 0 is a perfect break. Methods that know it choose
         the width of their walls for it.
+    hold, duration, embers, containment
+        How often a stretch of break holds, how long fires burn, whether embers fly, and when crews contain fires, as
+        in `simulate`. Where nothing is said fires burn 8 h in the median and breaks hold in 0.47 of fires (`judging.ASSUMED_DURATION`,
+        `ASSUMED_HOLD`), which `Plan.judged` names.
+    barriers_hold
+        How often a stretch of the barriers holds.
+    weather
+        Ensemble of which each run draws one: what `read_weather` reads, in place of a wind among `model_params`.
+    timeless
+        Fires end by themselves and breaks hold unless `hold` says otherwise, as in the paper. So it is, and
+        `Plan.judged` says it, where the spread model tells no times.
     refine
         Whether the breaks are improved by local search on simulated fires, see `placement.refinement.refine`.
     ignitions, ignition_mode, n_runs, seed, threads, progress
@@ -245,7 +293,8 @@ def plan(
     Returns
     -------
     Plan
-        Everything, from the network to the evaluation, which takes breaks as perfect.
+        Everything, from the network to the evaluation. The breaks are those of the network without a clock, whatever
+        they are judged by.
 
     Raises
     ------
@@ -261,11 +310,27 @@ def plan(
     True
     >>> made.summary["burnt_share_with_breaks"] < made.summary["burnt_share_without_breaks"]
     True
+    >>> len(made.headline), made.judged.clock
+    (2, True)
     """
     request = PlanRequest(
         design=DesignRequest(method, method_params or {}, budget, budget_unit, width, refine),
         spread=SpreadRequest(model, model_params or {}),
-        fires=FireRequest(ignitions, ignition_mode, n_runs, seed, residual, ignitions_outside=ignitions_outside),
+        fires=FireRequest(
+            ignitions,
+            ignition_mode,
+            n_runs,
+            seed,
+            residual,
+            duration=None if duration is None else as_duration(duration),
+            hold=None if hold is None else as_hold(hold),
+            barriers_hold=barriers_hold,
+            embers=as_embers(embers),
+            containment=as_containment(containment),
+            ignitions_outside=ignitions_outside,
+        ),
+        weather=WeatherRequest(weather),
+        timeless=timeless,
     )
     planes = StakePlanes(barriers=barriers, cost=cost, protected=protected, value=value, ignition=ignition)
     return make_plan(landscape, request, planes, threads=threads, checked=checked, progress=progress)
@@ -295,12 +360,12 @@ def make_plan(
     """
     asked, fires = request.design, request.fires
     account = Account()
-    weather = request.spread.params(landscape, account)
+    scene = Scene.of(landscape, request.spread, request.weather.read(), account)
     landscape = account.added_to(landscape)
-    untouched = spread_network(landscape, model=request.spread.model, **weather)
-    network, stakes = planes.on(untouched)
+    network, stakes = planes.on(scene.network)
     if planes.ignition is not None and fires.ignitions is None:
         fires = replace(fires, ignitions=stakes.ignition)
+    judged = scene.judging(fires, timeless=request.timeless)
     starts: list[Ignitions] = []
 
     def start() -> Ignitions:
@@ -318,7 +383,9 @@ def make_plan(
         ignitions=start,
     )
     found.require()
-    fires = replace(fires, ignitions=starts[0])
+    found = replace(found, warnings=(*found.warnings, *judged.notes))
+    fires = replace(judged.fires, ignitions=starts[0])
+    judged = replace(judged, fires=fires)
     if checked is not None:
         checked(found)
     priority = design(
@@ -336,36 +403,56 @@ def make_plan(
         progress=part(progress, 0.05, 0.35, f"rank by {asked.method}: "),
     )
     breaks = select_breaks(priority, budget=asked.amount, burnable=network.burnable, cost=stakes.cost)
-    at_risk = None if planes.value is None else stakes.value
-    before = burn(
-        network, fires, value=at_risk, threads=threads, progress=part(progress, 0.35, 0.5, "without breaks: ")
-    )
-    after = burn(
-        network,
+    ground = scene.ground(judged, network, planes.barriers)
+    burnt = partial(
+        burn,
+        ground.network,
         fires,
-        breaks=breaks,
-        value=at_risk,
+        value=None if planes.value is None else stakes.value,
+        weather=ground.weather,
+        barriers=ground.barriers,
         threads=threads,
-        progress=part(progress, 0.5, 0.6, "with breaks: "),
     )
+    before = burnt(progress=part(progress, 0.35, 0.5, "without breaks: "))
+    after = burnt(breaks=breaks, progress=part(progress, 0.5, 0.6, "with breaks: "))
     others = [name for name in BASELINES if name != asked.method]
     baselines = {name: rank(network, name, stakes=stakes, seed=fires.seed) for name in others}
     share = asked.budget if asked.budget_unit == "share" else breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
-    evaluation = evaluate_fires(
+    rankings = {asked.method: priority, **baselines}
+    paper = evaluate_fires(
         network,
-        {asked.method: priority, **baselines},
-        fires,
+        rankings,
+        judged.paper,
         budgets=reachable(default_budgets(share), priority, network),
         threads=threads,
-        progress=part(progress, 0.6, 1.0, "evaluate "),
+        progress=part(progress, 0.6, 0.8 if judged.reburnt else 1.0, "evaluate "),
     )
-    return Plan(landscape, network, stakes, priority, breaks, before, after, evaluation, request, share, found)
+    evaluation = paper
+    if judged.reburnt:
+        evaluation = evaluate_fires(
+            network,
+            rankings,
+            fires,
+            budgets=reachable(few_budgets(share), priority, network),
+            ground=ground,
+            threads=threads,
+            progress=part(progress, 0.8, 1.0, "evaluate with a clock: "),
+        )
+    return Plan(
+        landscape, network, stakes, priority, breaks, before, after, evaluation, paper, judged, request, share, found
+    )
 
 
 def reachable(budgets: np.ndarray, priority: xr.DataArray, network: SpreadNetwork) -> np.ndarray:
     """Those of the budgets that protected cells leave enough cells for."""
     candidates = int(np.count_nonzero(removal_order(priority) >= 0))
     return budgets[[Budget(float(b)).cells(n_burnable=network.n_burnable) <= candidates for b in budgets]]
+
+
+def few_budgets(*marked: float) -> np.ndarray:
+    """Budgets for fires that must be burnt again for each: none, and around the marked ones, which are among them."""
+    around = [min(factor * budget, 1.0) for budget in marked for factor in (0.0, 0.5, 1.0, 1.5, 2.0)]
+    return np.unique(np.array([0.0, *around]))
 
 
 def default_budgets(*marked: float, n_levels: int = 41) -> np.ndarray:

@@ -17,7 +17,7 @@ from firebreak_gis.breaks import Budget, BudgetUnit
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
-from firebreak_gis.planning.weather import SpreadRequest
+from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.request import FireRequest
 
 
@@ -57,8 +57,13 @@ class PlanRequest:
     Parameters
     ----------
     design, spread, fires, stakes
-        Rankings and budget, spread model and weather, fires, and what a planner adds. The leak of the breaks is that
+        Rankings and budget, spread model and wind, fires, and what a planner adds. The leak of the breaks is that
         of the fires, as is the seed of the design.
+    weather
+        Ensemble of weathers in place of the wind.
+    timeless
+        Whether the fires have no clock and the breaks hold, as in the paper, unless `fires` says otherwise; else what
+        `fires` leaves open is assumed, see `judging`.
     layers, output
         What is read and written; None where the landscape is at hand, and the plan stays in memory.
     """
@@ -67,6 +72,8 @@ class PlanRequest:
     spread: SpreadRequest = field(default_factory=SpreadRequest)
     fires: FireRequest = field(default_factory=FireRequest)
     stakes: StakesRequest = field(default_factory=StakesRequest)
+    weather: WeatherRequest = field(default_factory=WeatherRequest)
+    timeless: bool = False
     layers: LandscapeRequest | None = None
     output: OutputRequest | None = None
 
@@ -74,4 +81,4 @@ class PlanRequest:
     def sources(self) -> tuple[str, ...]:
         """Names that may be those of files that go in."""
         layers = () if self.layers is None else self.layers.sources
-        return (*layers, *self.fires.sources, *self.spread.sources, *self.stakes.sources)
+        return (*layers, *self.fires.sources, *self.spread.sources, *self.weather.sources, *self.stakes.sources)

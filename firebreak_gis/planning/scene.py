@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.landscape.folder import read_landscape_folder
 from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.planning.judging import Scene
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
-    from firebreak_gis.simulation.weather import WeatherNetworks
+    from firebreak_gis.simulation.weather import Weather, WeatherNetworks
 
 
 def read_scene(
@@ -49,14 +50,7 @@ def read_scene(
 
     ensemble = weather.read()
     if not Path(source).is_dir():
-        asked = ensemble is not None or any(value != 0.0 for value in spread.weather.values())
-        usual = SpreadRequest()
-        asked = asked or (spread.model, spread.neighbourhood) != (usual.model, usual.neighbourhood)
-        if asked or spread.wind_uv or spread.model_params:
-            raise ParameterError(
-                f"{source} is a network, made for one wind and one spread model; for another wind or a weather give "
-                "the folder of the landscape (firebreak align) in its place"
-            )
+        _require_no_more(source, spread, ensemble)
         return read_network(source), None
     timed = replace(spread, clock=True) if clock or (ensemble is not None and not ensemble.steady) else spread
     timed.require()
@@ -65,3 +59,26 @@ def read_scene(
         networks = timed.networks(landscape, ensemble)
         return networks[0].network, networks
     return spread_network(landscape, model=timed.model, **timed.params(landscape, account)), None
+
+
+def open_scene(source: str, spread: SpreadRequest, weather: WeatherRequest, *, account: Account | None = None) -> Scene:
+    """What plans are designed on, and their fires burn on; parameters and errors as in `read_scene`."""
+    from firebreak_gis.spread.raster import read_network
+
+    ensemble = weather.read()
+    if not Path(source).is_dir():
+        _require_no_more(source, spread, ensemble)
+        return Scene.of_network(read_network(source))
+    spread.require()
+    return Scene.of(read_landscape_folder(source), spread, ensemble, account)
+
+
+def _require_no_more(source: str, spread: SpreadRequest, ensemble: Weather | None) -> None:
+    asked = ensemble is not None or any(value != 0.0 for value in spread.weather.values())
+    usual = SpreadRequest()
+    asked = asked or (spread.model, spread.neighbourhood) != (usual.model, usual.neighbourhood)
+    if asked or spread.wind_uv or spread.model_params:
+        raise ParameterError(
+            f"{source} is a network, made for one wind and one spread model; for another wind or a weather give the "
+            "folder of the landscape (firebreak align) in its place"
+        )

@@ -176,7 +176,7 @@ class WeatherRequest:
     Parameters
     ----------
     weather
-        CSV file or wind rose, see `simulation.weather_reading.read_weather`; None for none.
+        CSV file, wind rose or `Weather`, see `simulation.weather_reading.read_weather`; None for none.
     weather_step
         How long each line of a table lasts, as text ("1h").
     weather_columns, weather_units
@@ -185,7 +185,7 @@ class WeatherRequest:
         Columns to leave out, separated by commas.
     """
 
-    weather: str | None = None
+    weather: Any = None
     weather_step: str | None = None
     weather_columns: Mapping[str, str] = field(default_factory=dict)
     weather_units: Mapping[str, str] = field(default_factory=dict)
@@ -194,7 +194,7 @@ class WeatherRequest:
     @property
     def sources(self) -> tuple[str, ...]:
         """Names that may be those of files."""
-        return () if self.weather is None else (self.weather,)
+        return (self.weather,) if isinstance(self.weather, str) else ()
 
     def read(self) -> Weather | None:
         """Return the ensemble; None if none is asked for.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -37,6 +38,7 @@ def overview_figure(
     *,
     title: str,
     budget: float,
+    caption: str = "",
 ) -> Figure:
     """Draw the overview of a plan.
 
@@ -54,11 +56,15 @@ def overview_figure(
         Headline.
     budget
         d_f of the plan, marked in the curve.
+    caption
+        What the numbers assume.
     """
     grid = Grid.of(breaks)
     rows, cols = grid.shape
     figure = new_figure(13.5, 2.0 + 13.5 / 3 * 2 * 0.78 * min(max(rows / cols, 0.45), 1.6))
     figure.suptitle(title, fontsize=13, fontweight="bold")
+    if caption:
+        figure.supxlabel(textwrap.fill(caption, 190), fontsize=9)
     axes = figure.subplots(2, 3)
     shade = hillshade(landscape["elevation"].to_numpy().astype(float), grid.cell_size)
     _terrain(axes[0, 0], landscape, grid, shade)

@@ -102,10 +102,10 @@ class Duration:
     def told(self) -> str:
         """The duration in words, for accounts and pictures."""
         if self.kind == "weather":
-            return "as the weather tells"
+            return "as long as the weather tells"
         if self.kind == "lognormal":
             most = "".join(f", at most {clock(time)}" for time in self.values[2:])
-            return f"lognormal, median {clock(self.values[0])}, sigma {self.values[1]:g}{most}"
+            return f"{clock(self.values[0])} in the median (lognormal, sigma {self.values[1]:g}{most})"
         if self.kind == "uniform":
             return f"uniform, {clock(self.values[0])} to {clock(self.values[1])}"
         return ", ".join(map(clock, self.values))

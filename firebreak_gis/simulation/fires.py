@@ -22,6 +22,7 @@ from firebreak_gis.schema import annotate
 from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import ENDLESS, as_duration
 from firebreak_gis.simulation.embers import as_embers
+from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import as_hold, strongest
 from firebreak_gis.simulation.ignitions import IgnitionMode, Ignitions, resolve_ignitions
 from firebreak_gis.simulation.products import Products, product_maps
@@ -318,31 +319,37 @@ def burn_budgets(
     request: FireRequest,
     *,
     budgets: Sequence[float] | np.ndarray,
-    weather: WeatherNetworks | None = None,
-    barriers: np.ndarray | xr.DataArray | None = None,
+    ground: Ground | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.DataArray:
     """Burn the network at every budget as a request says; all else as in `burn_curve`.
 
     Without a clock, embers or failing breaks the breaks are perfect, and all budgets take one pass a run. With them
-    every budget is burnt by itself, by the same draws.
+    every budget is burnt by itself, by the same draws: a break that fire goes round may make it come too late, so that
+    the level of a cell on the best way to it does not tell whether it burns.
+
+    Parameters
+    ----------
+    ground
+        Where the fires burn, if that is not `network`, of whose fuel the budgets are shares.
     """
+    ground = ground or Ground(network)
     require_priority(priority)
     start, n_runs = resolved(network, request), request.n_runs
     levels = cut_levels(network, priority, budgets)
     burnt = np.zeros((n_runs, len(budgets)), np.int64)
-    if request.timeless and weather is None and barriers is None:
-        burn_levels(network, start, levels.ravel(), burnt, request, threads, progress)
+    if request.timeless and ground.weather is None and ground.barriers is None:
+        burn_levels(ground.network, start, levels.ravel(), burnt, request, threads, progress)
     else:
         same = replace(request, ignitions=start)
         for k in range(len(budgets)):
             burns = burn(
-                network,
+                ground.network,
                 same,
                 breaks=levels < k,
-                weather=weather,
-                barriers=barriers,
+                weather=ground.weather,
+                barriers=ground.barriers,
                 threads=threads,
                 progress=part(progress, k / len(budgets), (k + 1) / len(budgets)),
             )

@@ -160,6 +160,16 @@ class Weather:
         told = np.array([np.nan if spell.duration is None else spell.duration for spell in self.spells])
         return np.asarray(told[self.of_runs(seed=seed, n_runs=n_runs, first_run=first_run)])
 
+    def steps(self) -> list[tuple[Step, float]]:
+        """Return every step that occurs, with the share of the time that it has, in order of first occurrence."""
+        shares: dict[Step, float] = {}
+        for spell, share in zip(self.spells, self.shares, strict=True):
+            lengths = _lengths(spell)
+            for step, part in zip(spell.steps, lengths / lengths.sum(), strict=True):
+                if share > 0:
+                    shares[step] = shares.get(step, 0.0) + float(share * part)
+        return list(shares.items())
+
     def describe(self) -> dict[str, Any]:
         """Return what the ensemble is, as plain data for accounts and tags."""
         return {

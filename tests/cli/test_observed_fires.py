@@ -82,7 +82,7 @@ def test_validate_without_a_folder_writes_nothing(place, tmp_path, monkeypatch):
     told = validate(place, "--duration", "lognormal:1h,0.5", "--wind-speed", 4, "--wind-from", 270)
     assert told.exit_code == 0, told.output
     assert "simulated" in told.stdout
-    assert "assumed: duration lognormal, median 1 h, sigma 0.5" in told.stdout
+    assert "assumed: duration 1 h in the median (lognormal, sigma 0.5)" in told.stdout
     assert list(tmp_path.iterdir()) == []
 
 

@@ -9,10 +9,11 @@ import pytest
 import rasterio
 from shapely.geometry import Point
 
-from firebreak_gis import plan, rank, select_breaks, simulate, spread_network
+from firebreak_gis import evaluate, plan, rank, select_breaks, simulate, spread_network
 from firebreak_gis.errors import Cancelled, InputError, OutputError, ParameterError
 from firebreak_gis.files.outputs import names
 from firebreak_gis.landscape import read_landscape_folder
+from firebreak_gis.planning.judging import ASSUMED_DURATION, ASSUMED_HOLD
 from firebreak_gis.planning.outputs import OUTPUTS, write_plan
 from firebreak_gis.planning.pipeline import default_budgets
 from firebreak_gis.schema import DENSITY, VEGETATION
@@ -42,9 +43,133 @@ def test_a_plan_is_its_stages(landscape, result):
     breaks = select_breaks(priority, budget=0.14)
     np.testing.assert_array_equal(result.priority, priority)
     np.testing.assert_array_equal(result.breaks, breaks)
-    assert result.before.identical(simulate(network, n_runs=40, seed=6))
-    assert result.after.identical(simulate(network, breaks=breaks, n_runs=40, seed=6))
+    timed = spread_network(landscape, wind_speed=3, clock=True)
+    fires = {"n_runs": 40, "seed": 6, "duration": ASSUMED_DURATION}
+    assert result.before.identical(simulate(timed, hold=ASSUMED_HOLD, **fires))
+    assert result.after.identical(simulate(timed, breaks=breaks, hold=ASSUMED_HOLD, **fires))
     assert set(result.evaluation["ranking"].to_numpy()) == {"bonacich", "random", "flammability"}
+
+
+def test_a_timeless_plan_is_that_of_the_paper(landscape, result):
+    asked = {"budget": 0.14, "method": "bonacich", "method_params": {"beta": 0.2}, "n_runs": 40, "seed": 6}
+    paper = plan(landscape, **asked, model_params={"wind_speed": 3}, timeless=True)
+    network = spread_network(landscape, wind_speed=3)
+    assert paper.breaks.identical(result.breaks)
+    assert paper.before.identical(simulate(network, n_runs=40, seed=6))
+    assert paper.after.identical(simulate(network, breaks=paper.breaks, n_runs=40, seed=6))
+    rankings = {name: rank(network, name, seed=6) for name in ("random", "flammability")}
+    rankings = {"bonacich": rank(network, "bonacich", beta=0.2), **rankings}
+    assert paper.paper.identical(evaluate(network, rankings, budgets=default_budgets(0.14), n_runs=40, seed=6))
+    assert paper.evaluation.identical(paper.paper)
+    assert result.paper.identical(paper.paper)
+    assert len(paper.headline) == 1
+    told = paper.summary
+    assert told["timeless"]["burnt_share_with_breaks"] == pytest.approx(told["burnt_share_with_breaks"])
+
+
+def test_endless_fires_and_breaks_that_hold_are_the_paper(landscape):
+    """Where the probability keeps wind and slope, a clock that never stops changes nothing."""
+    asked = {"method": "flammability", "n_runs": 30, "seed": 2}
+    params = {"wind_speed": 4.0, "probability_keeps": "both"}
+    paper = plan(landscape, **asked, model_params=params, timeless=True)
+    endless = plan(landscape, **asked, model_params=params, duration="inf", hold=1)
+    for side in ("before", "after"):
+        np.testing.assert_array_equal(getattr(endless, side)["fire_size"], getattr(paper, side)["fire_size"])
+        np.testing.assert_array_equal(getattr(endless, side)["burn_count"], getattr(paper, side)["burn_count"])
+    assert not endless.judged.reburnt
+
+
+def test_the_headline_names_clock_weather_and_breaks(landscape):
+    made = plan(landscape, method="flammability", model_params={"wind_speed": 3, "wind_from_direction": 270}, n_runs=20)
+    first, second = made.headline
+    for word in ("burn 8 h in the median", "wind 3 m/s from 270 degrees", "holds in 0.47 of fires"):
+        assert word in first
+        assert word in " ".join(made.judged.assumptions).lower()
+    assert "assumed, not known" in " ".join(made.judged.assumptions)
+    assert "Without a clock and with perfect breaks" in second
+    share = 100 * float(made.paper["mean"].sel(ranking="flammability", budget=0.1))
+    assert f"{share:.1f} % with them" in second
+    rose = "rose:NW=5x0.4,N=8x0.2;duration=2h"
+    told = plan(landscape, method="flammability", weather=rose, hold="0.8:100", embers=True, n_runs=20)
+    assert "2 weathers, drawn by their weights, mean wind 6 m/s" in told.headline[0]
+    assert "as long as the weather tells" in told.headline[0]
+    assert "each 100 m of break holds in 0.8" in told.headline[0]
+    assert "assumed, not known" not in " ".join(told.judged.assumptions)
+    assert (told.before["duration"] == 7200).all()
+    assert set(told.before["weather"].to_numpy()) == {0, 1}
+
+
+def test_breaks_are_designed_without_a_clock(landscape):
+    """Whatever judges them; of several weathers the design knows the mean."""
+    clocks = [{"timeless": True}, {"duration": "1h", "hold": "flame"}, {"embers": True}, {"hold": 0.2}]
+    breaks = [plan(landscape, n_runs=5, **clock).breaks for clock in clocks]
+    for other in breaks[1:]:
+        assert other.identical(breaks[0])
+    one = plan(landscape, n_runs=5, model_params={"wind_speed": 5.0, "wind_from_direction": 315.0})
+    same = plan(landscape, n_runs=5, weather="rose:NW=5x0.4,NW=5x0.6")
+    np.testing.assert_allclose(same.network.probability, one.network.probability, rtol=1e-6)
+    np.testing.assert_array_equal(same.after["fire_size"], one.after["fire_size"])
+    north = spread_network(landscape, wind_speed=8.0).probability.astype(float)
+    west = spread_network(landscape, wind_speed=4.0, wind_from_direction=270.0).probability.astype(float)
+    mixed = plan(landscape, n_runs=5, weather="rose:N=8x1,W=4x3", method="flammability").network.probability
+    np.testing.assert_allclose(mixed, 0.25 * north + 0.75 * west, rtol=1e-6)
+
+
+def test_more_budget_saves_more(landscape):
+    """Every budget meets the same fires: cutting more of one ranking never burns more."""
+    made = plan(landscape, method="dissection", budget=0.1, duration="2h", n_runs=80)
+    budgets = made.evaluation["budget"].to_numpy()
+    np.testing.assert_allclose(budgets, [0.0, 0.05, 0.1, 0.15, 0.2])
+    mean = made.evaluation["mean"].sel(ranking="dissection").to_numpy()
+    assert (np.diff(mean) <= 0).all()
+    assert mean[-1] < mean[0]
+    cells = made.evaluation["burnt_cells"].sel(ranking="dissection")
+    np.testing.assert_array_equal(cells.sel(budget=0.1), made.after["fire_size"])
+    np.testing.assert_array_equal(cells.sel(budget=0.0), made.before["fire_size"])
+
+
+def test_barriers_hold_as_asked(landscape):
+    """A barrier that always fails is fuel for the fires; one that always holds is none, as in the design."""
+    barriers = np.zeros(landscape["burnable"].shape)
+    barriers[:, 15] = 1
+    asked = {"method": "flammability", "barriers": barriers, "duration": "3h", "n_runs": 60, "hold": 1}
+    holds, half, never = (plan(landscape, **asked, barriers_hold=share) for share in (1.0, 0.5, 0.0))
+    free = plan(landscape, **{**asked, "barriers": None}, ignitions=holds.judged.fires.ignitions)
+    means = [float(made.before["fire_size"].mean()) for made in (holds, half, never)]
+    assert means[0] < means[1] < means[2]
+    np.testing.assert_array_equal(never.before["fire_size"], free.before["fire_size"])
+    assert np.isnan(holds.before["burn_frequency"].to_numpy()[:, 15]).all()
+    for other in (half, never):
+        assert other.breaks.identical(holds.breaks)
+    rose = plan(landscape, **{**asked, "weather": "rose:N=0"})
+    np.testing.assert_array_equal(rose.before["fire_size"], holds.before["fire_size"])
+
+
+def test_a_model_without_times_is_judged_without_a_clock(landscape):
+    emptiness = (
+        landscape["burnable"].astype(np.float32).copy(data=np.full(landscape["burnable"].shape, 0.1, np.float32))
+    )
+    land = landscape.assign(emptiness=emptiness)
+    made = plan(land, model="artificial", method="flammability", n_runs=20)
+    paper = plan(land, model="artificial", method="flammability", n_runs=20, timeless=True)
+    assert made.before.identical(paper.before)
+    assert made.after.identical(paper.after)
+    assert any("tells no times" in warning for warning in made.feasibility.warnings)
+    assert not any("tells no times" in warning for warning in paper.feasibility.warnings)
+    for asked in ({"duration": "8h"}, {"embers": True}, {"hold": "flame"}):
+        with pytest.raises(InputError, match="travel times"):
+            plan(land, model="artificial", **asked)
+
+
+def test_timeless_fires_have_no_clock(landscape):
+    for asked in ({"duration": "8h"}, {"embers": True}):
+        with pytest.raises(ParameterError, match="--timeless"):
+            plan(landscape, timeless=True, **asked)
+    failing = plan(landscape, method="flammability", timeless=True, hold=0.3, n_runs=60)
+    perfect = plan(landscape, method="flammability", timeless=True, n_runs=60)
+    assert failing.after["fire_size"].sum() > perfect.after["fire_size"].sum()
+    assert failing.before["burn_count"].equals(perfect.before["burn_count"])
+    assert len(failing.headline) == 2
 
 
 def test_figures_of_a_plan(result):
@@ -135,7 +260,7 @@ def test_nothing_to_cut_and_everything_to_cut(landscape, tmp_path):
     assert "p_value_against_random" not in none.summary
     write_plan(none, tmp_path / "none")
     assert len(gpd.read_file(tmp_path / "none/breaks.gpkg")) == 0
-    everything = plan(landscape, budget=1.0, method="random", n_runs=5)
+    everything = plan(landscape, budget=1.0, method="random", n_runs=5, hold=1)
     assert everything.breaks.sum() == everything.network.n_burnable
     assert everything.after["fire_size"].sum() == 0
 

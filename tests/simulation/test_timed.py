@@ -400,7 +400,7 @@ def test_drawn_durations_end_at_the_longest_one():
     free = as_duration("lognormal:8h,0.7").of_runs(seed=1, n_runs=500)
     capped = as_duration("lognormal:8h,0.7,12h")
     np.testing.assert_array_equal(capped.of_runs(seed=1, n_runs=500), np.minimum(free, 12 * 3600))
-    assert capped.told() == "lognormal, median 8 h, sigma 0.7, at most 12 h"
+    assert capped.told() == "8 h in the median (lognormal, sigma 0.7, at most 12 h)"
     with pytest.raises(ParameterError, match="more than 0"):
         as_duration("lognormal:8h,0.7,0h")
 

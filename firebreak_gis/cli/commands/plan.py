@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, options, outputs, stakes_options, weather_options
+from firebreak_gis.cli import filters, fire_options, options, outputs, stakes_options, weather_options
 from firebreak_gis.cli.layers import input_files, read_layers, read_stakes
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
 from firebreak_gis.cli.requests import built
@@ -18,7 +18,7 @@ from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.planning.outputs import OUTPUTS, write_plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
-from firebreak_gis.planning.weather import SpreadRequest
+from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
@@ -39,7 +39,9 @@ STEP = 1
 @stakes_options.stakes
 @filters.where
 @options.fires
+@fire_options.judging
 @options.seed
+@weather_options.weather
 @weather_options.spread
 @options.landscape
 @options.common
@@ -49,6 +51,7 @@ STEP = 1
     design=DesignRequest,
     spread=SpreadRequest,
     fires=FireRequest,
+    weather=WeatherRequest,
     at_stake=StakesRequest,
 )
 def command(
@@ -60,7 +63,9 @@ def command(
     design: DesignRequest,
     spread: SpreadRequest,
     fires: FireRequest,
+    weather: WeatherRequest,
     at_stake: StakesRequest,
+    timeless: bool,
 ) -> None:
     """Plan fire breaks: DEM, VEGETATION and DENSITY rasters in, breaks and burn maps out.
 
@@ -72,11 +77,11 @@ def command(
     from firebreak_gis.planning.pipeline import make_plan
     from firebreak_gis.progress import part
 
-    request = PlanRequest(design, spread, fires, at_stake, layers, output)
+    request = PlanRequest(design, spread, fires, at_stake, weather, timeless, layers, output)
     require_possible(request)
     inputs = input_files(request.sources)
     how = require_outputs(output, OUTPUTS, inputs)
-    foreseen = foresee(layers, output, session, OUTPUTS, method=design.method)
+    foreseen = foresee(layers, output, session, OUTPUTS, method=design.method, clock=not timeless)
     if dry_run:
         rehearse(foreseen, session)
         return
@@ -115,15 +120,17 @@ def command(
     )
     summary = result.summary
     judged = summary["judged"]
+    told = {"headline": result.headline, "assumptions": result.judged.assumptions}
     session.finish(
-        {"files": files, **summary},
+        {"files": files, **told, **summary},
         f"{summary['cells_cut']} of {summary['burnable_cells']} cells with fuel cut "
-        f"({summary['ha_cut']:,.1f} ha). "
-        f"Mean burnt share {100 * summary['burnt_share_without_breaks']:.1f} % without, "
-        f"{100 * summary['burnt_share_with_breaks']:.1f} % with the breaks: "
-        f"{judged['leverage']:.1f} ha saved per ha treated "
-        f"({judged['leverage_low']:.1f} to {judged['leverage_high']:.1f}), "
+        f"({summary['ha_cut']:,.1f} ha).\n"
+        f"{result.headline[0]}\n"
+        f"{' '.join(result.judged.assumptions)}\n"
+        f"{judged['leverage']:.3g} ha saved per ha treated "
+        f"({judged['leverage_low']:.3g} to {judged['leverage_high']:.3g}), "
         f"{judged['cvar_ha']:,.0f} ha burnt in the worst tenth of the fires.\n"
+        f"{''.join(f'{sentence}{chr(10)}' for sentence in result.headline[1:])}"
         f"{len(files)} files in {output.output}; look at overview.png first.",
     )
 
