@@ -11,6 +11,7 @@ import numpy as np
 from firebreak_gis.breaks import require_priority
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
+from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.fires import burn_budgets
@@ -51,6 +52,7 @@ def evaluate(
     weather: WeatherNetworks | None = None,
     embers: Any = None,
     hold: Any = None,
+    containment: Any = None,
     test: Test = "wilcoxon",
     alpha: float = 0.01,
     threads: int | None = None,
@@ -71,8 +73,8 @@ def evaluate(
         Method that the others are tested against.
     ignitions, ignition_mode, n_runs, seed, threads, progress
         As in `simulate`.
-    residual, duration, weather, embers, hold
-        As in `simulate`; with any of the last four the fires of every budget are burnt again, so give few budgets.
+    residual, duration, weather, embers, hold, containment
+        As in `simulate`; with any of the last five the fires of every budget are burnt again, so give few budgets.
         Without them breaks are perfect, and all budgets take one pass a run.
     test, alpha
         See `tell_apart`; significance threshold.
@@ -107,6 +109,7 @@ def evaluate(
         duration=None if duration is None else as_duration(duration),
         hold=as_hold(hold),
         embers=as_embers(embers),
+        containment=as_containment(containment),
     )
     if residual and request.timeless and weather is None:
         raise ParameterError(

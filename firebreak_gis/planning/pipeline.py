@@ -271,9 +271,9 @@ def plan(
         Share of its spread probability that a treated cell keeps; 0 is a perfect break. Methods that know it choose
         the width of their walls for it.
     hold, duration, embers, containment
-        How often a stretch of break holds, how long fires burn, whether embers fly, and when crews contain fires, as
-        in `simulate`. Where nothing is said fires burn 8 h in the median and breaks hold in 0.47 of fires (`judging.ASSUMED_DURATION`,
-        `ASSUMED_HOLD`), which `Plan.judged` names.
+        How often a stretch of break holds, how long fires burn, whether embers fly, and when crews contain fires, as in
+        `simulate`. Where nothing is said fires burn 8 h in the median and breaks hold in 0.47 of fires
+        (`judging.ASSUMED_DURATION`, `ASSUMED_HOLD`), which `Plan.judged` names.
     barriers_hold
         How often a stretch of the barriers holds.
     weather
