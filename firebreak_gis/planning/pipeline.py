@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import Budget, BudgetUnit, break_polygons, removal_order, select_breaks
+from firebreak_gis.breaks import BudgetUnit, break_polygons, select_breaks
 from firebreak_gis.construction.compartments import compartments
 from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.curves import evaluate_fires
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.planning.budgets import default_budgets, few_budgets, reachable
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
 from firebreak_gis.planning.judging import Judging, Scene, headline
@@ -441,21 +442,3 @@ def make_plan(
     return Plan(
         landscape, network, stakes, priority, breaks, before, after, evaluation, paper, judged, request, share, found
     )
-
-
-def reachable(budgets: np.ndarray, priority: xr.DataArray, network: SpreadNetwork) -> np.ndarray:
-    """Those of the budgets that protected cells leave enough cells for."""
-    candidates = int(np.count_nonzero(removal_order(priority) >= 0))
-    return budgets[[Budget(float(b)).cells(n_burnable=network.n_burnable) <= candidates for b in budgets]]
-
-
-def few_budgets(*marked: float) -> np.ndarray:
-    """Budgets for fires that must be burnt again for each: none, and around the marked ones, which are among them."""
-    around = [min(factor * budget, 1.0) for budget in marked for factor in (0.0, 0.5, 1.0, 1.5, 2.0)]
-    return np.unique(np.array([0.0, *around]))
-
-
-def default_budgets(*marked: float, n_levels: int = 41) -> np.ndarray:
-    """Evenly spaced budgets from 0 to beyond the marked ones, the marked ones among them."""
-    top = min(1.0, max(0.4, 1.5 * max(marked, default=0.0)))
-    return np.unique(np.concatenate([np.round(np.linspace(0.0, top, n_levels), 6), np.array(marked)]))

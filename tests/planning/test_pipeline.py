@@ -13,9 +13,9 @@ from firebreak_gis import evaluate, plan, rank, select_breaks, simulate, spread_
 from firebreak_gis.errors import Cancelled, InputError, OutputError, ParameterError
 from firebreak_gis.files.outputs import names
 from firebreak_gis.landscape import read_landscape_folder
+from firebreak_gis.planning.budgets import default_budgets
 from firebreak_gis.planning.judging import ASSUMED_DURATION, ASSUMED_HOLD
 from firebreak_gis.planning.outputs import OUTPUTS, write_plan
-from firebreak_gis.planning.pipeline import default_budgets
 from firebreak_gis.schema import DENSITY, VEGETATION
 
 

@@ -156,8 +156,8 @@ def command(
     """
     from firebreak_gis.evaluation.curves import evaluate_fires
     from firebreak_gis.files.outputs import write_all
+    from firebreak_gis.planning.budgets import default_budgets
     from firebreak_gis.planning.design import Designs
-    from firebreak_gis.planning.pipeline import default_budgets
     from firebreak_gis.progress import part
     from firebreak_gis.spread.raster import read_network
 
