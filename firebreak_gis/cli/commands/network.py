@@ -27,10 +27,17 @@ STEP = 3
 @outputs.output_file("GeoTIFF of 8 bands, or 17 with --clock,")
 @weather_options.spread
 @weather_options.clock
+@click.option(
+    "--export",
+    type=click.Path(dir_okay=False),
+    metavar="FILE",
+    help="Also write the probabilities for other tools: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) or "
+    ".graphml (up to 20,000 cells with fuel). Cells are numbered row by row from the upper left.",
+)
 @options.fitting("network")
 @options.common
 @built(output=OutputRequest, spread=SpreadRequest)
-def command(session: Session, folder: str, output: OutputRequest, spread: SpreadRequest) -> None:
+def command(session: Session, folder: str, output: OutputRequest, spread: SpreadRequest, export: str | None) -> None:
     """Build the spread network of the landscape in FOLDER (made by align).
 
     Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order
@@ -39,7 +46,8 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
     probabilities, unless --model-param probability_keeps= says otherwise; so take a network without --clock for
     fires without one.
     """
-    from firebreak_gis.files import require_writable
+    from firebreak_gis.files import require_distinct, require_writable, together
+    from firebreak_gis.files.graphs import require_format, write_graph
     from firebreak_gis.landscape import read_landscape_folder
     from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.manifest import provenance
@@ -48,6 +56,10 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
 
     inputs = files_behind([*map(str, Path(folder).glob("*.tif")), *input_files(spread.sources)])
     require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
+    if export:
+        require_format(export)
+        require_writable(export, overwrite=output.overwrite, forbid=inputs)
+        require_distinct({"--output": output.output, "--export": export})
     spread.require()
     landscape = read_landscape_folder(folder)
     session.progress(0.2, "spread network")
@@ -71,18 +83,22 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
         provenance({**told, "model_params": [f"{name}={value}" for name, value in spread.model_params.items()]})
         | network.provenance
     )
-    write_raster(
-        output.output,
-        network.to_dataset(),
-        overwrite=output.overwrite,
-        provenance=tags,
-        forbid=inputs,
-        creation_options=output.creation_options,
-    )
+    files = [output.output, *([export] if export else [])]
+    with together(*(Path(name).parent for name in files)):
+        write_raster(
+            output.output,
+            network.to_dataset(),
+            overwrite=output.overwrite,
+            provenance=tags,
+            forbid=inputs,
+            creation_options=output.creation_options,
+        )
+        if export:
+            write_graph(network, export, overwrite=output.overwrite)
     session.finish(
-        {"files": [output.output], "burnable_cells": network.n_burnable, **_pace(network)},
+        {"files": files, "burnable_cells": network.n_burnable, **_pace(network)},
         f"{network.n_burnable} cells with fuel, mean edge probability "
-        f"{network.probability[:, network.burnable].mean():.3f}{_told(network)}; written to {output.output}",
+        f"{network.probability[:, network.burnable].mean():.3f}{_told(network)}; written to {', '.join(files)}",
     )
 
 
