@@ -1,8 +1,8 @@
 """Spread networks as files of other tools: sparse matrices (Matrix Market, MATLAB, NumPy) and GraphML.
 
 Entry (l, k) of the matrix is the probability that fire spreads from cell l to cell k. Cells are numbered row by row
-from the upper left, those without fuel included, so that number n lies in row n // columns and column n % columns (from 0;
-Matrix Market and MATLAB count from 1).
+from the upper left, those without fuel included, so that number n lies in row n // columns and
+column n % columns (from 0; Matrix Market and MATLAB count from 1).
 """
 
 from __future__ import annotations
