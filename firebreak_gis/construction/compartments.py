@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     Plane = np.ndarray | xr.DataArray
 
 
-def compartments(
+def compartments_of(
     network: SpreadNetwork,
     breaks: Plane,
     *,

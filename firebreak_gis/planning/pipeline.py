@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.breaks import BudgetUnit, break_polygons, select_breaks
-from firebreak_gis.construction.compartments import compartments
+from firebreak_gis.construction.compartments import compartments_of
 from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.curves import evaluate_fires
@@ -136,7 +136,7 @@ class Plan:
     @property
     def compartments(self) -> gpd.GeoDataFrame:
         """The fuel between the breaks and what it has to lose, see `compartments.compartments`."""
-        return compartments(
+        return compartments_of(
             self.network, self.breaks, value=self.stakes.value, ignition=self.stakes.ignition, burns=self.after
         )[1]
 

@@ -14,7 +14,7 @@ from rasterio.features import rasterize
 
 from firebreak_gis.breaks import select_breaks
 from firebreak_gis.construction.centrelines import find_borders
-from firebreak_gis.construction.compartments import compartments
+from firebreak_gis.construction.compartments import compartments_of
 from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.construction.sequence import construction_order
 from firebreak_gis.errors import GridError, InputError
@@ -85,8 +85,8 @@ def check(network: SpreadNetwork, cut: np.ndarray, **planes: np.ndarray) -> tupl
     """Segments, with everything that must hold for any of them."""
     lines, polygons = segments_of(network, cut, **planes)
     weighed = {k: v for k, v in planes.items() if k in ("value", "ignition")}
-    _, table = compartments(network, cut, **weighed)
-    _, before = compartments(network, np.zeros(network.shape), **weighed)
+    _, table = compartments_of(network, cut, **weighed)
+    _, before = compartments_of(network, np.zeros(network.shape), **weighed)
     assert list(lines.columns) == list(polygons.columns) == COLUMNS
     assert lines.crs == polygons.crs == network.grid.crs
     for frame in (lines, polygons, table):
@@ -228,7 +228,7 @@ def test_no_breaks_and_everything_cut():
     lines, polygons = check(network, ~cut)
     assert lines["width_m"].tolist() == [3 * CELL]
     assert polygons["cells"].tolist() == [12]
-    labels, table = compartments(network, ~cut)
+    labels, table = compartments_of(network, ~cut)
     assert len(table) == 0
     assert not labels.any()
 
@@ -293,7 +293,7 @@ def test_compartments_of_burns():
     network, cut = drawn(*["...#....~"] * 3)
     burns = simulate(network, breaks=cut, n_runs=40, seed=3)
     value = np.where(network.burnable, 2.0, np.nan)
-    labels, table = compartments(network, cut, value=value, burns=burns)
+    labels, table = compartments_of(network, cut, value=value, burns=burns)
     assert labels.dtype == np.int32
     assert Grid.of(labels).matches(network.grid)
     assert table["cells"].tolist() == [12, 9]
@@ -313,7 +313,7 @@ def test_wrong_input():
             with pytest.raises(InputError, match=name):
                 segments_of(network, cut, **{name: np.full(network.shape, bad)})
     with pytest.raises(InputError, match="burn_frequency"):
-        compartments(network, cut, burns=simulate(network, n_runs=1)[["burn_count"]])
+        compartments_of(network, cut, burns=simulate(network, n_runs=1)[["burn_count"]])
 
 
 @pytest.mark.parametrize("boundary", ["open", "periodic"])
@@ -321,7 +321,7 @@ def test_wrong_input():
 def test_random_masks(seed, boundary):
     network, cut, planes = random_case(seed, boundary)
     _, polygons = check(network, cut, **planes)
-    labels, _ = compartments(network, cut)
+    labels, _ = compartments_of(network, cut)
     parts = {frozenset(part) for part in twin.compartments(network, cut)}
     found = {frozenset(map(tuple, np.argwhere(labels.to_numpy() == k).tolist())) for k in range(1, len(parts) + 1)}
     assert found == parts
@@ -332,7 +332,7 @@ def test_random_masks(seed, boundary):
 @pytest.mark.parametrize("seed", range(8))
 def test_borders_are_those_of_the_twin(seed):
     network, cut, _ = random_case(seed)
-    labels = compartments(network, cut)[0].to_numpy()
+    labels = compartments_of(network, cut)[0].to_numpy()
     borders = find_borders(labels, cut)
     units = {
         (tuple(borders.pair[edge].tolist()), *(tuple(end) for end in ends))
@@ -403,8 +403,8 @@ def test_sample_landscape(sample, tmp_path):
     breaks = select_breaks(priority, budget=0.05, burnable=network.burnable)
     cut = breaks.to_numpy() > 0
     lines, polygons = segments_of(network, breaks, priority=priority, elevation=sample["elevation"])
-    _, table = compartments(network, breaks)
-    _, before = compartments(network, np.zeros(network.shape))
+    _, table = compartments_of(network, breaks)
+    _, before = compartments_of(network, np.zeros(network.shape))
     assert polygons["cells"].sum() == cut.sum()
     assert polygons.geometry.is_valid.all()
     assert polygons.geometry.union_all().area == pytest.approx(cut.sum() * network.grid.cell_area_ha * 1e4)

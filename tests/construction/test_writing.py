@@ -13,7 +13,7 @@ from click.testing import CliRunner
 
 from firebreak_gis import rank, select_breaks, spread_network, write_raster
 from firebreak_gis.cli import firebreak
-from firebreak_gis.construction.compartments import compartments
+from firebreak_gis.construction.compartments import compartments_of
 from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.construction.writing import write_compartments, write_segments
 from firebreak_gis.errors import CRSError, OutputError
@@ -82,7 +82,7 @@ def test_styles_lie_in_the_file(network, breaks, tmp_path):
         assert {r.get("symbol") for r in ranges} == names
         assert root.find("renderer-v2").get("attr") == "stage"
     assert found["lines"][0].find("labeling/settings/text-style").get("fieldName") == "order"
-    write_compartments(tmp_path / "c.gpkg", compartments(network, breaks)[1])
+    write_compartments(tmp_path / "c.gpkg", compartments_of(network, breaks)[1])
     assert styles(tmp_path / "c.gpkg")["compartments"][0].find("renderer-v2").get("attr") == "expected_loss"
 
 
@@ -104,7 +104,7 @@ def test_nothing_to_build(network, tmp_path):
     nothing = np.zeros(network.shape)
     write_segments(tmp_path / "s.gpkg", *segments_of(network, nothing))
     assert len(gpd.read_file(tmp_path / "s.gpkg", layer="lines")) == 0
-    _, table = compartments(network, nothing)
+    _, table = compartments_of(network, nothing)
     write_compartments(tmp_path / "c.gpkg", table)
     assert len(gpd.read_file(tmp_path / "c.gpkg", layer="compartments")) == len(table)
     kinds = dict(pyogrio.list_layers(tmp_path / "s.gpkg").tolist())

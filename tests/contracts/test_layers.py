@@ -106,6 +106,24 @@ def test_rasters_are_opened_and_written_in_one_place():
             assert "os.replace(" not in text, path
 
 
+def functions(path):
+    return [node for node in ast.parse(path.read_text(encoding="utf-8")).body if isinstance(node, ast.FunctionDef)]
+
+
+def test_no_command_takes_a_dictionary_of_options():
+    """Every option is a typed argument, or a field of a typed request."""
+    for path in (PACKAGE / "cli" / "commands").glob("*.py"):
+        for function in functions(path):
+            assert function.args.kwarg is None, f"{path}: {function.name}"
+
+
+def test_no_module_is_named_like_its_only_function():
+    """`from x import name` would leave open which is meant."""
+    for path in MODULES:
+        public = [function.name for function in functions(path) if not function.name.startswith("_")]
+        assert public != [path.stem], path
+
+
 def test_one_formatter_for_all():
     for path in [*MODULES, *(ROOT / "tests").rglob("*.py")]:
         assert f"fmt: {'skip'}" not in path.read_text(encoding="utf-8"), path

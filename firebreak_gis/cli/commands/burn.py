@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,7 +17,7 @@ from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
-    from firebreak_gis.simulation.products import Products
+    pass
 
 #: Place in the list of commands, which is the order of the work.
 STEP = 7
@@ -64,7 +63,9 @@ def command(
     barriers: str | None,
     sizes: str | None,
     products: str | None,
-    **asked: Any,
+    by: list[float],
+    size_classes: list[float],
+    flame_lengths: list[float],
 ) -> None:
     """Burn NETWORK many times and write how often each cell burns.
 
@@ -81,6 +82,7 @@ def command(
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.simulation.fires import burn
+    from firebreak_gis.simulation.products import Products
     from firebreak_gis.simulation.writing import product_files, size_table, write_products
 
     folder = Path(network)
@@ -95,7 +97,10 @@ def command(
     untouched, networks = read_scene(network, spread, weather, clock=clock, account=account)
     for sentence in account.warnings:
         session.warn(sentence)
-    kept = _products(asked, heat=untouched.heat is not None) if products else None
+    kept = None
+    if products:
+        flames = () if untouched.heat is None else tuple(flame_lengths)
+        kept = Products(tuple(by), (0.1, 0.5), tuple(size_classes), flames, paths=True)
     if products and kept:
         untouched.require_times("--products")
         made = [str(Path(products) / name) for name in product_files(kept, referenced=untouched.grid.crs is not None)]
@@ -147,18 +152,6 @@ def command(
         },
         f"{cells.size} runs, mean burnt share {100 * share:.1f} %, mean fire {hectares.mean():.4g} ha; "
         f"{'; '.join(assumptions)}; written to {', '.join(files)}",
-    )
-
-
-def _products(asked: dict[str, Sequence[float]], *, heat: bool) -> Products:
-    from firebreak_gis.simulation.products import Products
-
-    return Products(
-        by=tuple(asked["by"]),
-        quantiles=(0.1, 0.5),
-        size_classes=tuple(asked["size_classes"]),
-        flame_lengths=tuple(asked["flame_lengths"]) if heat else (),
-        paths=True,
     )
 
 

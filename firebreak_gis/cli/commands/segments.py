@@ -51,14 +51,14 @@ def command(
     dem: str | None,
     ignitions: str | None,
     foreign: bool,
-    **others: str | None,
+    compartments: str | None,
 ) -> None:
     """Take BREAKS on NETWORK apart into segments to build, best first.
 
     Each segment separates two compartments of fuel, and has an order of construction, a length, width, area, mean slope
     and cost, and the share of all that the breaks save that it adds.
     """
-    from firebreak_gis.construction.compartments import compartments
+    from firebreak_gis.construction.compartments import compartments_of
     from firebreak_gis.construction.segments import segments_of
     from firebreak_gis.construction.writing import write_compartments, write_segments
     from firebreak_gis.files import require_writable, together
@@ -66,9 +66,8 @@ def command(
     from firebreak_gis.rasters import files_behind
     from firebreak_gis.spread.raster import read_network
 
-    parts = others["compartments"]  # the name is that of a function, too
     inputs = files_behind([network, mask, *filter(None, (priority, dem, ignitions)), *at_stake.sources])
-    files = [output.output] + ([parts] if parts else [])
+    files = [output.output] + ([compartments] if compartments else [])
     for name in files:
         require_writable(name, overwrite=output.overwrite, forbid=inputs)
     untouched = read_network(network)
@@ -90,11 +89,11 @@ def command(
         ignition=placed.ignition,
     )
     session.progress(0.7, "compartments")
-    _, table = compartments(barred, cut, value=placed.value, ignition=placed.ignition)
+    _, table = compartments_of(barred, cut, value=placed.value, ignition=placed.ignition)
     with together(*(Path(name).parent for name in files)):
         write_segments(output.output, lines, polygons, overwrite=output.overwrite, forbid=inputs)
-        if parts:
-            write_compartments(parts, table, overwrite=output.overwrite, forbid=inputs)
+        if compartments:
+            write_compartments(compartments, table, overwrite=output.overwrite, forbid=inputs)
     length = float(lines["length_m"].sum()) / 1000.0
     stages = int(polygons["stage"].max()) if len(polygons) else 0
     session.finish(
