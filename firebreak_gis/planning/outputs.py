@@ -121,6 +121,7 @@ def _account(plan: Plan) -> dict[str, Any]:
         "headline": plan.headline,
         "assumptions": plan.judged.assumptions,
         "summary": plan.summary,
+        **_note(plan),
     }
 
 

@@ -178,3 +178,12 @@ def test_a_page_of_a_comparison_sorts_numbers_as_numbers():
     found = read(render(page)).tags
     keys = [a["data-key"] for name, a in found if name == "td"]
     assert keys == ["b", "0.1", "0.0", "0.5", "a", "0.1", "0.0", ""]
+
+
+@pytest.mark.parametrize(
+    ("top", "expected"), [(0.087, 0.1), (0.95, 1.0), (0.031, 0.04), (0.2, 0.2), (1.0, 1.0), (0.0, 1.0)]
+)
+def test_the_curve_fills_its_height(top, expected):
+    page = Page(title="t", curve=Curve("c", "n", "x", [("a", [0.0, 0.5], [top, 0.0])]))
+    ticks = [text for text in read(render(page)).texts if text.endswith(" %")][4]
+    assert float(ticks.removesuffix(" %")) == pytest.approx(100 * expected)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import html
 import importlib.resources
 import json
+import math
 import re
 from collections.abc import Sequence
 from typing import Any
@@ -120,18 +121,21 @@ def _curve(curve: Curve) -> str:
     """A line chart as SVG, with a title and a description for those who do not see it."""
     width, height, left, bottom, top, right = 720, 320, 56, 44, 14, 170
     reach = max(max(x) for _, x, _ in curve.lines) or 1.0
+    ceiling = _round_up(max(max(y) for _, _, y in curve.lines))
 
     def place(x: float, y: float) -> str:
-        return f"{left + (width - left - right) * x / reach:.1f},{height - bottom - (height - bottom - top) * y:.1f}"
+        across = left + (width - left - right) * x / reach
+        up = height - bottom - (height - bottom - top) * y / ceiling
+        return f"{across:.1f},{up:.1f}"
 
     parts = []
-    for share in (0.0, 0.25, 0.5, 0.75, 1.0):
+    for share in (ceiling * k / 4 for k in range(5)):
         x, y = place(0, share).split(",")
         end = place(reach, share).split(",")[0]
         parts.append(f'<line class="grid" x1="{x}" x2="{end}" y1="{y}" y2="{y}"/>')
         parts.append(
             f'<text class="tick" x="{float(x) - 8:.1f}" y="{float(y) + 4:.1f}" text-anchor="end">'
-            f"{100 * share:.0f} %</text>"
+            f"{100 * share:.3g} %</text>"
         )
     for k in range(5):
         x, y = place(reach * k / 4, 0).split(",")
@@ -150,7 +154,7 @@ def _curve(curve: Curve) -> str:
         parts.append(f'<text class="name name-{number % 6}" x="{at + 8:.1f}" y="{wanted + 4:.1f}">{_text(name)}</text>')
     if curve.marked is not None:
         x, low = place(curve.marked, 0).split(",")
-        high = place(curve.marked, 1).split(",")[1]
+        high = place(curve.marked, ceiling).split(",")[1]
         parts.append(f'<line class="mark" x1="{x}" x2="{x}" y1="{low}" y2="{high}"/>')
     middle = left + (width - left - right) / 2
     parts.append(
@@ -173,6 +177,12 @@ def _curve(curve: Curve) -> str:
         f'<div class="scroll"><table><thead><tr><th scope="col">{_text(curve.across)}</th>{head}</tr></thead>'
         f"<tbody>{rows}</tbody></table></div></details></section>"
     )
+
+
+def _round_up(share: float) -> float:
+    """The least of 1, 2, 4 or 8 times a power of ten, at most 1, that is no less than a share."""
+    power = 10.0 ** math.floor(math.log10(share)) if share > 0.0 else 1.0
+    return min([step * power for step in (1, 2, 4, 8, 10) if step * power >= share * (1 - 1e-9)] + [1.0])
 
 
 def _table(kind: str, rows: Sequence[Row]) -> str:
