@@ -100,7 +100,7 @@ def _page(plan: Plan, path: Path, how: Writing) -> None:
     }
     present = names(OUTPUTS, plan.landscape)
     files = [(name, label) for name, label in labels(OUTPUTS).items() if name in present]
-    text = render(plan_page(parts, told("plan", how, _account(plan)) | {"files": files, **_note(plan)}))
+    text = render(plan_page(parts, told("plan", how, _account(plan)) | {"files": files}))
     write_text(path, text, overwrite=how.overwrite)
 
 
