@@ -61,6 +61,12 @@ def read_scene(
     return spread_network(landscape, model=timed.model, **timed.params(landscape, account)), None
 
 
+def files_of(source: str) -> list[str]:
+    """The network file, or the rasters in the folder of a landscape."""
+    folder = Path(source)
+    return sorted(str(file) for file in folder.glob("*.tif")) if folder.is_dir() else [source]
+
+
 def open_scene(source: str, spread: SpreadRequest, weather: WeatherRequest, *, account: Account | None = None) -> Scene:
     """What plans are designed on, and their fires burn on; parameters and errors as in `read_scene`."""
     from firebreak_gis.spread.raster import read_network

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from firebreak_gis.report.figures import LINE_COLOURS, new_figure, own_looks
+from firebreak_gis.report.figures import LINE_COLOURS, caption_under, new_figure, own_looks
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -16,7 +16,7 @@ PATTERNS = ("compartments", "dfpz", "splat", "stripes")
 
 
 @own_looks
-def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: float) -> Figure:
+def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: float, caption: str = "") -> Figure:
     """Draw mean burnt share against budget.
 
     Parameters
@@ -25,6 +25,8 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
         As `comparison.comparison_table` returns it.
     n_burnable, cell_area_ha
         Cells that hold fuel, and their area.
+    caption
+        What the numbers assume.
     """
     from matplotlib.ticker import FuncFormatter
 
@@ -47,7 +49,9 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
         axes.annotate(
             "no breaks", (1, untreated), xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize=7
         )
-        leak = "perfect breaks" if residual == 0 else f"breaks that leak: treated cells keep {100 * residual:g} %"
+        leak = (
+            "breaks without a leak" if residual == 0 else f"breaks that leak: treated cells keep {100 * residual:g} %"
+        )
         axes.set_title(leak, fontsize=10, loc="left", fontweight="bold")
         axes.set_yscale("log")
         for axis in (axes.xaxis, axes.yaxis):
@@ -57,7 +61,9 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
         axes.grid(color="#e6e6e6", lw=0.5, which="both")
         axes.tick_params(labelsize=8)
     panels[0].set_ylabel("mean share of the fuel burnt, $R$ (log scale)", fontsize=9)
-    panels[0].set_ylim(max(5e-4, 0.7 * float(rows["R"].min())), 1.3)
+    top = 1.4 * max(float(rows["R"].max()), _untreated(rows) / total)
+    panels[0].set_ylim(max(5e-4, 0.7 * float(rows["R"].min())), min(1.3, top))
+    caption_under(figure, caption, 60 * len(residuals))
     figure.legend(
         *panels[0].get_legend_handles_labels(),
         loc="outside lower center",

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.report.figures import LINE_COLOURS, new_figure, own_looks
+from firebreak_gis.report.figures import LINE_COLOURS, caption_under, new_figure, own_looks
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 
 
 @own_looks
-def curve_figure(result: xr.Dataset, *, title: str = "Burnt share against share of cells cut") -> Figure:
+def curve_figure(
+    result: xr.Dataset, *, title: str = "Burnt share against share of cells cut", caption: str = ""
+) -> Figure:
     """Draw R(d_f) of every ranking.
 
     Parameters
@@ -24,11 +26,14 @@ def curve_figure(result: xr.Dataset, *, title: str = "Burnt share against share 
         As `evaluation.summarise` returns it.
     title
         Title of the figure.
+    caption
+        What the numbers assume.
     """
     figure = new_figure(7.5, 5.0)
     axes = figure.subplots()
     draw_curve(axes, result)
     axes.set_title(title, fontsize=11, loc="left", fontweight="bold")
+    caption_under(figure, caption, 110)
     return figure
 
 

@@ -6,6 +6,7 @@ import contextlib
 import functools
 import io
 import os
+import textwrap
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -71,6 +72,12 @@ def new_figure(width: float, height: float) -> Figure:
     figure = Figure(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(figure)
     return figure
+
+
+def caption_under(figure: Figure, caption: str, width: int) -> None:
+    """Write a caption of lines of `width` letters under a figure, if there is one."""
+    if caption:
+        figure.supxlabel(textwrap.fill(caption, width), fontsize=8)
 
 
 @own_looks

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +11,7 @@ from firebreak_gis.report.curve import draw_curve
 from firebreak_gis.report.figures import (
     BREAK_COLOUR,
     WATER,
+    caption_under,
     draw_breaks,
     hillshade,
     map_axes,
@@ -63,8 +63,7 @@ def overview_figure(
     rows, cols = grid.shape
     figure = new_figure(13.5, 2.0 + 13.5 / 3 * 2 * 0.78 * min(max(rows / cols, 0.45), 1.6))
     figure.suptitle(title, fontsize=13, fontweight="bold")
-    if caption:
-        figure.supxlabel(textwrap.fill(caption, 190), fontsize=9)
+    caption_under(figure, caption, 200)
     axes = figure.subplots(2, 3)
     shade = hillshade(landscape["elevation"].to_numpy().astype(float), grid.cell_size)
     _terrain(axes[0, 0], landscape, grid, shade)

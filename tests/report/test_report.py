@@ -191,7 +191,7 @@ def test_comparison_has_a_panel_for_every_leak():
     ]
     figure = comparison_figure(pd.DataFrame(rows), n_burnable=1000, cell_area_ha=0.04)
     assert [axes.get_title(loc="left") for axes in figure.axes] == [
-        "perfect breaks",
+        "breaks without a leak",
         "breaks that leak: treated cells keep 10 %",
     ]
     for axes, residual in zip(figure.axes, (0.0, 0.1), strict=True):

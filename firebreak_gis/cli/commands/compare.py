@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, outputs, parsing, stakes_options
-from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges
+from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, parsing, stakes_options, weather_options
+from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges, tell
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -19,6 +19,7 @@ from firebreak_gis.files.outputs import Output, Writing
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.manifest import account, told
+from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.plugins import build_params, load
 from firebreak_gis.simulation.request import FireRequest
 
@@ -43,7 +44,12 @@ class _Compared:
     def figure(self) -> Figure:
         from firebreak_gis.report.comparison import comparison_figure
 
-        return comparison_figure(self.rows, n_burnable=self.n_burnable, cell_area_ha=self.cell_area_ha)
+        return comparison_figure(
+            self.rows,
+            n_burnable=self.n_burnable,
+            cell_area_ha=self.cell_area_ha,
+            caption=" ".join(self.told["assumptions"]),
+        )
 
 
 def _csv(compared: _Compared, path: Path, how: Writing) -> None:
@@ -116,16 +122,22 @@ OUTPUTS: tuple[Output[_Compared], ...] = (
 @stakes_options.stakes
 @filters.where
 @options.fires
+@fire_options.judging
+@weather_options.weather
+@weather_options.spread
 @options.seed
 @options.fitting("compare")
 @options.common
-@built(output=OutputRequest, fires=FireRequest, at_stake=StakesRequest)
+@built(output=OutputRequest, fires=FireRequest, spread=SpreadRequest, weather=WeatherRequest, at_stake=StakesRequest)
 def command(
     session: Session,
     network: str,
     output: OutputRequest,
     fires: FireRequest,
+    spread: SpreadRequest,
+    weather: WeatherRequest,
     at_stake: StakesRequest,
+    timeless: bool,
     method_list: list[parsing.Method],
     budgets: list[float],
     residuals: list[float],
@@ -133,25 +145,36 @@ def command(
 ) -> None:
     """Compare rankings on NETWORK: expected burnt area, value lost, worst fires and leverage, with intervals.
 
+    NETWORK is a file made by network, or the folder of a landscape made by align, with --wind-speed or --weather. Fires
+    on a folder, or on a network with times, have a clock.
+
     Each plan is made for its budget and leak, as firebreak plan makes it. The fires are fresh: no plan was designed
     with them, and all burn in the same ones.
     """
     from firebreak_gis.files.outputs import write_all
+    from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.planning.comparison import compare_plans, comparison_table
     from firebreak_gis.planning.design import Designs
+    from firebreak_gis.planning.scene import files_of, open_scene
     from firebreak_gis.progress import part
-    from firebreak_gis.spread.raster import read_network
 
-    inputs = input_files([network, *fires.sources, dem, *at_stake.sources])
+    named = (*fires.sources, *spread.sources, *weather.sources, *at_stake.sources)
+    inputs = input_files([*files_of(network), dem, *named])
     how = require_outputs(output, OUTPUTS, inputs)
-    untouched = read_network(network)
+    laid = Account()
+    scene = open_scene(network, spread, weather, account=laid)
+    tell(laid, session)
+    untouched = scene.network
     planes, read = read_stakes(
         at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions
     )
     barred, placed = planes.on(untouched)
-    fires = checked_fires(
-        fires if planes.ignition is None else replace(fires, ignitions=planes.ignition), barred, session
-    )
+    if planes.ignition is not None:
+        fires = replace(fires, ignitions=planes.ignition)
+    judged = scene.judging(fires, timeless=timeless)
+    fires = checked_fires(judged.fires, barred, session)
+    for sentence in judged.notes:
+        session.warn(sentence)
     _require_possible(barred, placed, method_list, budgets, residuals)
     elevation, roads = ridges(dem, barred.grid), planes.roads(untouched)
     plans = {
@@ -165,6 +188,7 @@ def command(
         budgets=budgets,
         residuals=residuals,
         value=placed.value if at_stake.values else None,
+        ground=scene.ground(judged, barred, planes.barriers),
         progress=part(session.progress, 0.02, 0.97),
     )
     rows = comparison_table(result)
@@ -172,13 +196,18 @@ def command(
         rows,
         barred.n_burnable,
         barred.grid.cell_area_ha,
-        {"alignment": read.alignment, "warnings": read.warnings},
+        {
+            "alignment": [*laid.alignment, *read.alignment],
+            "warnings": [*laid.warnings, *read.warnings, *judged.notes],
+            "assumptions": list(judged.assumptions),
+        },
     )
     files = write_all(OUTPUTS, compared, output.output, how, progress=part(session.progress, 0.97, 1.0))
     shown = rows.pivot_table(index="method", columns=["residual", "d_f"], values="R", sort=False)
     session.finish(
-        {"files": files},
-        f"mean burnt share R by residual and d_f\n{shown.to_string(float_format='%.4f')}\nwritten to {output.output}",
+        {"files": files, "assumptions": judged.assumptions},
+        f"{' '.join(judged.assumptions)}\nmean burnt share R by residual and d_f\n"
+        f"{shown.to_string(float_format='%.4f')}\nwritten to {output.output}",
     )
 
 

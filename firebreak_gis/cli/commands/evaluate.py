@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, kinds, options, outputs, parsing
-from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges
+from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, parsing, weather_options
+from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges, tell
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -18,6 +18,7 @@ from firebreak_gis.files.outputs import Output, Writing
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.manifest import account
+from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.plugins import build_params, load
 from firebreak_gis.simulation.request import FireRequest
 
@@ -37,12 +38,13 @@ class _Judged:
     n_burnable: int
     labels: tuple[str, ...]
     alignment: list[str]
+    assumptions: tuple[str, ...]
 
     @cached_property
     def figure(self) -> Figure:
         from firebreak_gis.report.curve import curve_figure
 
-        return curve_figure(self.result)
+        return curve_figure(self.result, caption=" ".join(self.assumptions))
 
     @cached_property
     def better(self) -> dict[str, list[float] | None]:
@@ -88,6 +90,7 @@ OUTPUTS: tuple[Output[_Judged], ...] = (
             "n_burnable": judged.n_burnable,
             "significant_d_f": judged.better,
             "alignment": judged.alignment,
+            "assumptions": judged.assumptions,
         },
     ),
 )
@@ -120,7 +123,8 @@ STEP = 8
     "--budgets",
     type=kinds.NUMBERS,
     metavar="LIST",
-    help="Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01].",
+    help="Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, "
+    "with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].",
 )
 @click.option(
     "--test",
@@ -132,16 +136,22 @@ STEP = 8
 @click.option("--alpha", type=float, default=0.01, show_default=True, help="Significance threshold.")
 @options.dem
 @options.fires
+@fire_options.judging
+@weather_options.weather
+@weather_options.spread
 @filters.where
 @options.seed
 @options.fitting("evaluate")
 @options.common
-@built(output=OutputRequest, fires=FireRequest)
+@built(output=OutputRequest, fires=FireRequest, spread=SpreadRequest, weather=WeatherRequest)
 def command(
     session: Session,
     network: str,
     output: OutputRequest,
     fires: FireRequest,
+    spread: SpreadRequest,
+    weather: WeatherRequest,
+    timeless: bool,
     method_list: list[parsing.Method],
     baseline: str,
     budgets: list[float] | None,
@@ -151,32 +161,42 @@ def command(
 ) -> None:
     """Judge rankings on NETWORK: mean, 90 % percentile and maximum of the burnt share at every budget.
 
+    NETWORK is a file made by network, or the folder of a landscape made by align, with --wind-speed or --weather. Fires
+    on a folder, or on a network with times, have a clock.
+
     All rankings meet the same fires, and each plan is made for its budget, as firebreak plan makes it. Writes
     evaluation.csv, runs.csv, evaluation.png, evaluation.svg and run.json.
     """
     from firebreak_gis.evaluation.curves import evaluate_fires
     from firebreak_gis.files.outputs import write_all
-    from firebreak_gis.planning.budgets import default_budgets
+    from firebreak_gis.landscape.target_grid import Account
+    from firebreak_gis.planning.budgets import default_budgets, few_budgets
     from firebreak_gis.planning.design import Designs
+    from firebreak_gis.planning.scene import files_of, open_scene
     from firebreak_gis.progress import part
-    from firebreak_gis.spread.raster import read_network
 
     methods = list(method_list)
     if baseline not in {method.label for method in methods}:
         methods.append(parsing.Method(baseline, baseline, {}))
     for _, method, params in methods:
         build_params(load("ranking", method), params)
-    inputs = input_files([network, dem, *fires.sources])
+    inputs = input_files([*files_of(network), dem, *fires.sources, *spread.sources, *weather.sources])
     how = require_outputs(output, OUTPUTS, inputs)
-    shares = budgets or default_budgets()
-    untouched = read_network(network)
+    laid = Account()
+    scene = open_scene(network, spread, weather, account=laid)
+    tell(laid, session)
+    untouched = scene.network
     planes, read = read_stakes(
         StakesRequest(), session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions
     )
     placed = planes.on(untouched)[1]
     if planes.ignition is not None:
         fires = replace(fires, ignitions=planes.ignition)
-    fires = checked_fires(fires, untouched, session)
+    judged = scene.judging(fires, timeless=timeless)
+    fires = checked_fires(judged.fires, untouched, session)
+    for sentence in judged.notes:
+        session.warn(sentence)
+    shares = budgets or (few_budgets(0.05, 0.1) if judged.reburnt else default_budgets())
     elevation = ridges(dem, untouched.grid)
     # A curve needs each plan once, so only the last is kept.
     priorities = {
@@ -191,16 +211,24 @@ def command(
         baseline=baseline,
         test=test,
         alpha=alpha,
+        ground=scene.ground(judged, untouched, None),
         progress=part(session.progress, 0.0, 0.95),
     )
-    judged = _Judged(
-        result, untouched.n_burnable, tuple(label for label in priorities if label != baseline), read.alignment
+    evaluated = _Judged(
+        result,
+        untouched.n_burnable,
+        tuple(label for label in priorities if label != baseline),
+        [*laid.alignment, *read.alignment],
+        judged.assumptions,
     )
-    files = write_all(OUTPUTS, judged, output.output, how, progress=part(session.progress, 0.95, 1.0))
+    files = write_all(OUTPUTS, evaluated, output.output, how, progress=part(session.progress, 0.95, 1.0))
     told = [
         f"{label} burns less than {baseline} (alpha {alpha:g}) "
         + ("nowhere" if span is None else f"at d_f from {span[0]:g} to {span[1]:g}")
-        for label, span in judged.better.items()
+        for label, span in evaluated.better.items()
     ]
     told.append(f"{len(priorities)} rankings at {len(shares)} budgets; written to {output.output}")
-    session.finish({"files": files, "significant_d_f": judged.better}, "\n".join(told))
+    told.append(" ".join(judged.assumptions))
+    session.finish(
+        {"files": files, "significant_d_f": evaluated.better, "assumptions": judged.assumptions}, "\n".join(told)
+    )
