@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +20,7 @@ from firebreak_gis.landscape.scars import Scar, read_scar
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.durations import Duration, as_duration
+from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.fires import burn
 from firebreak_gis.simulation.products import Products
 from firebreak_gis.simulation.request import FireRequest
@@ -148,6 +149,7 @@ def run_case(
     case: OpenCase,
     params: Mapping[str, Any],
     *,
+    embers: Any = None,
     n_runs: int = 200,
     seed: int = 0,
     threads: int | None = None,
@@ -161,7 +163,7 @@ def run_case(
         The fire.
     params
         Of the spread model.
-    n_runs, seed, threads, progress
+    embers, n_runs, seed, threads, progress
         As in `simulate`.
     """
     network, weather = case.networks(params)
@@ -174,7 +176,8 @@ def run_case(
         limits = case.duration.of_runs(seed=seed, n_runs=n_runs)
     longest = float(np.max(limits))
     times = _times(longest)
-    request = FireRequest(points, "all", n_runs, seed, duration=case.duration)
+    flying = None if embers is None else as_embers(embers)
+    request = FireRequest(points, "all", n_runs, seed, duration=case.duration, embers=flying)
     burns = burn(
         network,
         request,
@@ -186,7 +189,7 @@ def run_case(
     # How fires grow is told by those that nobody stops.
     growing = burn(
         network,
-        FireRequest(points, "all", n_runs, seed, duration=as_duration(2.0 * longest)),
+        replace(request, duration=as_duration(2.0 * longest)),
         weather=weather,
         products=Products(by=tuple(times.tolist())),
         threads=threads,
@@ -209,6 +212,7 @@ def validate(
     duration: Any,
     weather: Any = None,
     step: Any = None,
+    embers: Any = None,
     n_runs: int = 200,
     seed: int = 0,
     threads: int | None = None,
@@ -233,7 +237,7 @@ def validate(
         A table or a wind rose, see `read_weather`; calm if not given.
     step
         How long each line of a table lasts, such as "1h", where it tells no times: the lines follow each other.
-    n_runs, seed, threads, progress
+    embers, n_runs, seed, threads, progress
         As in `simulate`.
     wind
         Speed [m/s] and direction it comes from, for the elliptical null model alone; by default those of the weather.
@@ -264,11 +268,13 @@ def validate(
     (['distance', 'ellipse', 'none'], 0.0)
     """
     case = open_case(Case(landscape, scar, start, duration, weather, step))
-    forecast = run_case(case, params, n_runs=n_runs, seed=seed, threads=threads, progress=progress)
+    forecast = run_case(case, params, embers=embers, n_runs=n_runs, seed=seed, threads=threads, progress=progress)
     wind = case.wind(params) if wind is None else wind
+    flying = None if embers is None else as_embers(embers)
     notes = (
         f"assumed: duration {case.duration.told()}; wind of the ellipse {wind[0]:.1f} m/s from {wind[1]:.0f} degrees",
-        "not simulated: fire fighting, embers",
+        "not simulated: fire fighting, embers" if flying is None else "not simulated: fire fighting",
+        *([] if flying is None else [flying.told()]),
     )
     account = {"n_runs": n_runs, "seed": seed, "duration": case.duration.told(), "spread": dict(params)}
     account |= {"weather": None if case.weather is None else case.weather.describe()}

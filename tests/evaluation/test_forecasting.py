@@ -91,6 +91,23 @@ def test_a_network_with_times_will_do_for_one_weather(land, true_fire):
         validate("no/such/folder", scar, start=start, duration="1h")
 
 
+def test_embers_cross_what_a_fire_without_them_does_not(land, true_fire):
+    scar, start = true_fire
+    wall = np.ones(SHAPE, bool)
+    wall[:, 32:34] = False
+    cut = land.copy()
+    for name in ("vegetation", "density", "burnable"):
+        cut[name] = land[name].where(wall, 0).astype(land[name].dtype)
+    given = {"start": start, "duration": "4h", "weather": ROSE, "n_runs": 30}
+    without = validate(cut, scar, **given)
+    flying = validate(cut, scar, embers="rate=60", **given)
+    assert np.nansum(without.forecast.probability[:, 34:]) == 0.0
+    assert np.nansum(flying.forecast.probability[:, 34:]) > 0.0
+    assert "not simulated: fire fighting, embers" in without.notes
+    assert "not simulated: fire fighting" in flying.notes
+    assert any("ember" in note and "60" in note for note in flying.notes)
+
+
 def test_the_wind_of_the_ellipse_is_the_mean_over_time(land, true_fire):
     spells = (
         Spell((Step(4.0, 350.0), Step(4.0, 10.0)), starts=(0, 3600), span=7200, weight=3.0),

@@ -98,6 +98,12 @@ OUTPUTS: tuple[Output[_Validated], ...] = (
     required=True,
     help="How long the fire spread, e.g. 3h; lognormal:3h,0.5 (median, sigma) where that is not known well.",
 )
+@click.option(
+    "--embers",
+    type=kinds.EMBERS,
+    metavar="on|NAME=VALUE,...",
+    help="Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.",
+)
 @click.option("--runs", "n_runs", type=kinds.COUNT, default=200, show_default=True, help="Number of simulated fires.")
 @weather_options.spread
 @options.seed
@@ -110,6 +116,7 @@ def command(
     scar: str,
     start: str,
     duration: str,
+    embers: Any,
     n_runs: int,
     seed: int,
     spread: SpreadRequest,
@@ -155,6 +162,7 @@ def command(
         start=start,
         duration=duration,
         weather=told,
+        embers=embers,
         n_runs=n_runs,
         seed=seed,
         wind=wind,
