@@ -212,6 +212,13 @@ def hold(text: Any, option: str) -> Any:
     return as_hold(text, option)
 
 
+def treatments(text: Any, _option: str) -> Any:
+    """Read a table of treatments, see `construction.treatments`; `default` is the built-in one."""
+    from firebreak_gis.construction.treatments import read_treatments
+
+    return read_treatments(None if str(text).strip().lower() == "default" else str(text))
+
+
 def containment(text: Any, option: str) -> Any:
     """Read when fires are contained, see `simulation.containment`; None if never, as if it had not been given."""
     from firebreak_gis.simulation.containment import as_containment

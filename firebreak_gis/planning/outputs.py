@@ -122,7 +122,17 @@ def _account(plan: Plan) -> dict[str, Any]:
         "assumptions": plan.judged.assumptions,
         "summary": plan.summary,
         **_note(plan),
+        **_treatments(plan),
     }
+
+
+def _treatments(plan: Plan) -> dict[str, Any]:
+    """What each treatment does, and what that assumes, where a table of them is given."""
+    if plan.request.design.treatments is None:
+        return {}
+    from firebreak_gis.construction.treatments import ASSUMED, totals
+
+    return {"treatments": {"assumed": ASSUMED, **totals(plan.segments[1])}}
 
 
 #: What a plan is written as.

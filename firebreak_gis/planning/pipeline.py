@@ -12,6 +12,7 @@ import numpy as np
 from firebreak_gis.breaks import BudgetUnit, break_polygons, select_breaks
 from firebreak_gis.construction.compartments import compartments_of
 from firebreak_gis.construction.segments import segments_of
+from firebreak_gis.construction.treatments import with_treatments
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.curves import evaluate_fires
 from firebreak_gis.evaluation.measures import judge, resamples
@@ -123,7 +124,7 @@ class Plan:
     @property
     def segments(self) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
         """Middle lines and outlines of what is to be built, in order, see `segments.segments`."""
-        return segments_of(
+        found = segments_of(
             self.network,
             self.breaks,
             priority=self.priority,
@@ -132,6 +133,8 @@ class Plan:
             value=self.stakes.value,
             ignition=self.stakes.ignition,
         )
+        table = self.request.design.treatments
+        return found if table is None else with_treatments(found, self.landscape, table)
 
     @property
     def compartments(self) -> gpd.GeoDataFrame:

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from firebreak_gis.breaks import Budget, BudgetUnit
+from firebreak_gis.construction.treatments import Treatments
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
@@ -35,6 +36,8 @@ class DesignRequest:
         Least width of the breaks [m].
     refine
         Whether they are improved by local search.
+    treatments
+        Table from which each segment gets its treatment; None: all segments alike, as the residual of the fires says.
     """
 
     method: str = "dissection"
@@ -43,6 +46,7 @@ class DesignRequest:
     budget_unit: BudgetUnit = "share"
     width: float | None = None
     refine: bool = False
+    treatments: Treatments | None = None
 
     @property
     def amount(self) -> Budget:
@@ -81,4 +85,6 @@ class PlanRequest:
     def sources(self) -> tuple[str, ...]:
         """Names that may be those of files that go in."""
         layers = () if self.layers is None else self.layers.sources
+        treatments = self.design.treatments
+        layers += () if treatments is None or not treatments.source else (treatments.source,)
         return (*layers, *self.fires.sources, *self.spread.sources, *self.weather.sources, *self.stakes.sources)

@@ -22,6 +22,7 @@ LABELS: Mapping[str, str] = {
     "refine": "Improve the breaks on simulated fires (takes longer)",
     "width": "Least width of the breaks [m]",
     "residual": "Share of the spread that a break lets through",
+    "treatments": "Treatments (CSV, or default)",
     "residuals": "Shares that breaks let through, separated by commas",
     "cost": "Cost of cutting per hectare",
     "cost_field": "Field with the cost",

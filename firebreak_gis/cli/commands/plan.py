@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, fire_options, options, outputs, stakes_options, weather_options
+from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, stakes_options, weather_options
 from firebreak_gis.cli.layers import input_files, read_layers, read_stakes
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
 from firebreak_gis.cli.requests import built
@@ -36,6 +36,13 @@ STEP = 1
 @options.ranking
 @options.leaks
 @click.option("--refine", is_flag=True, help="Improve the breaks by local search on simulated fires; takes longer.")
+@click.option(
+    "--treatments",
+    type=kinds.TREATMENTS,
+    metavar="FILE|default",
+    help="Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or "
+    "default: each segment gets the one that saves most for its cost [default: all segments alike, by --residual].",
+)
 @stakes_options.stakes
 @filters.where
 @options.fires

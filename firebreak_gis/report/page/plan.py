@@ -229,6 +229,7 @@ _SEGMENT = (
     ("mean_slope_deg", "Slope", 1, "\N{DEGREE SIGN}"),
     ("cost", "Cost", 0, ""),
     ("gain_share", "Share of what is saved", 2, "%"),
+    ("treatment_yearly", "Treatment a year", 0, ""),
 )
 _COMPARTMENT = (
     ("compartment", "Compartment", 0, ""),
@@ -248,6 +249,8 @@ def _card(row: Mapping[Any, Any], columns: tuple[tuple[str, str, int, str], ...]
             if unit == "%" and value is not None:
                 value = 100 * float(value)
             card[text] = "\N{EN DASH}" if value is None else f"{value:,.{digits}f} {unit}".strip()
+    if "treatment" in row:
+        card["Treatment"] = str(row["treatment"])
     return card
 
 
