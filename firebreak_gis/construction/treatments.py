@@ -129,8 +129,8 @@ def choose(cost: np.ndarray, saving: np.ndarray, target: float) -> np.ndarray:
     """Take a treatment for each segment, so that all save at least `target` for little.
 
     From the cheapest treatment of each segment, that step to a better one is made that adds most for its cost, until
-    the target is reached; then what is not needed is taken back. Where one single treatment everywhere reaches the target
-    for less, that is taken: the choice is never dearer than the best single treatment for the same saving.
+    the target is reached; then what is not needed is taken back. Where one single treatment everywhere reaches the
+    target for less, that is taken: the choice is never dearer than the best single treatment for the same saving.
 
     Parameters
     ----------
