@@ -24,13 +24,15 @@ from .arguments import ArgumentsError, command_arguments
 from .engine.errors import EngineCancelledError, EngineError, EngineMissingError
 from .engine.lookup import Engine
 from .engine.process import Listener, run
+from .formats import deliver_vector
 from .forms import GROUPS
 from .layers import FormValues
 from .manifest import Description, Output, parameter_names
 from .parameters import input_parameter, output_parameter
-from .results import DestinationError, deliver, refuse_formats, refuse_inputs
-from .styling import style_later
+from .results import DestinationError, deliver, deliver_folder, refuse_formats, refuse_inputs
+from .styling import Run, style_later
 from .texts import help_page, homepage, translated
+from .words import in_form_words
 
 _ICONS = Path(__file__).with_name("icons")
 
@@ -119,7 +121,7 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             feedback.pushInfo(QCoreApplication.translate("Firebreak", "Stopped; no output was written."))
             return {}
         except (EngineError, ArgumentsError, DestinationError, QgsProcessingException) as error:
-            failure = str(error)
+            failure = in_form_words(str(error))
         # QGIS keeps an exception that leaves this method for good, and with it every layer that its frames hold:
         # files would stay open, and QGIS crash at exit. So it gets a new one, and these names are given up.
         del parameters, context, feedback
@@ -147,7 +149,8 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
         """Return the path of every output that is wanted, by parameter name."""
         found = {}
         for output in self._description.outputs:
-            read = self.parameterAsFileOutput if output.kind == "file" else self.parameterAsOutputLayer
+            is_layer = output.kind in ("raster", "vector")
+            read = self.parameterAsOutputLayer if is_layer else self.parameterAsFileOutput
             path = read(parameters, output.name, context)
             if path:
                 found[output.name] = path
@@ -180,6 +183,11 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             result = run(engine, arguments, _listener(feedback, place, len(runs)), folder=str(folder))
         return result
 
+    def _run_of(self, made: Path) -> Run:
+        engine = settings.current_engine()
+        history = f"firebreak_gis {engine.version}: {self.displayName()}"
+        return Run(made.parent.name, self.displayName(), self.shortDescription(), history)
+
     def _main_output(self) -> Output:
         return self._description.outputs[0]
 
@@ -197,13 +205,23 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             path = wanted.get(output.name)
             if path is None:
                 continue
+            if output.kind == "folder":
+                deliver_folder(made / output.file, Path(path))
+                delivered[output.name] = path
+                continue
             if not (made / output.file).is_file():
                 message = QCoreApplication.translate("Firebreak", "{} was not made: there is nothing to put in it.")
                 feedback.pushWarning(message.format(output.name))
                 continue
-            deliver(made / output.file, Path(path))
+            if output.kind == "vector":
+                deliver_vector(made / output.file, Path(path), context, feedback)
+            else:
+                deliver(made / output.file, Path(path))
             if output.kind != "file":
-                style_later(output.name, path, made.parent.name, context)
+                style_later(output, path, self._run_of(made), context)
+            elif output.file == "report.html":
+                message = QCoreApplication.translate("Firebreak", "Report: {} (open it from the Results Viewer)")
+                feedback.pushInfo(message.format(path))
             delivered[output.name] = path
         numbers = {key.upper(): result[key] for key in self._description.form.numbers if key in result}
         return {**delivered, **numbers}
@@ -219,7 +237,10 @@ def _listener(feedback: QgsProcessingFeedback, place: int, count: int) -> Listen
             texts[0] = message
             feedback.setProgressText(message)
 
-    return Listener(progress, feedback.pushWarning, feedback.isCanceled)
+    def warn(text: str) -> None:
+        feedback.pushWarning(in_form_words(text))
+
+    return Listener(progress, warn, feedback.isCanceled)
 
 
 def _tell(result: dict[str, Any], made: Path, feedback: QgsProcessingFeedback) -> None:
@@ -229,7 +250,7 @@ def _tell(result: dict[str, Any], made: Path, feedback: QgsProcessingFeedback) -
     if not lines and account.is_file():
         lines = list(json.loads(account.read_text(encoding="utf-8")).get("alignment", []))
     for line in lines:
-        feedback.pushInfo(str(line))
+        feedback.pushInfo(in_form_words(str(line)))
     for key, value in result.items():
         if isinstance(value, (int, float, str)) and not isinstance(value, bool):
             shown = f"{value:g}" if isinstance(value, float) else value

@@ -45,19 +45,14 @@ def command_arguments(
     positional: list[str] = []
     for field in fields:
         value = values.get(field.name)
-        if field.option.partition(":")[0] not in names or value is None or value in ("", ()):
+        if field.option not in names or value is None or value in ("", ()):
             continue
-        if field.method is not None:
-            chooser, method = field.method
-            # What was left at its default is left to the engine, which may know better, as with a budget.
-            if values.get(chooser.upper()) == method and value != field.default:
-                options += [field.flag, f"{field.option.partition(':')[2]}={_word(value)}"]
-        elif not field.flag:
+        if not field.flag:
             positional.append(_word(value))
         elif field.kind == "boolean":
             options += [field.flag] if value else []
-        elif _is_overruled(field, fields, values):
-            continue
+        elif _as_words(value) == _as_words(field.default):
+            continue  # left to the engine, which may know better, as with the wind of a network that has its own
         elif field.multiple:
             for word in str(value).split(";"):
                 options += [field.flag, word.strip()] if word.strip() else []
@@ -95,14 +90,14 @@ def _alternatives(field: Field, fields: Sequence[Field], values: Mapping[str, An
     return [f for f in fields if f.option == field.option and f is not field and values.get(f.name) not in (None, "")]
 
 
-def _is_overruled(field: Field, fields: Sequence[Field], values: Mapping[str, Any]) -> bool:
-    """Tell whether the value is a mere default and an alternative, such as a file, was given."""
-    return field.default is not None and bool(_alternatives(field, fields, values))
+def _as_words(value: Any) -> str:
+    """Return a value as the manifest writes defaults: several choices joined by commas."""
+    return ",".join(map(str, value)) if isinstance(value, (list, tuple)) else str(value)
 
 
 def _refuse_doubles(fields: Sequence[Field], values: Mapping[str, Any]) -> None:
     for field in fields:
-        if values.get(field.name) in (None, "") or field.default is not None or field.method is not None:
+        if values.get(field.name) in (None, "") or field.default is not None:
             continue
         for other in _alternatives(field, fields, values):
             if other.default is None:

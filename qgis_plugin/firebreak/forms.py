@@ -10,7 +10,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-GROUPS: Mapping[str, str] = {"prepare": "Prepare", "plan": "Plan", "fire": "Fire", "judge": "Judge"}
+#: Groups in the order of the work; the toolbox sorts them by their titles.
+GROUPS: Mapping[str, str] = {
+    "prepare": "1 Prepare",
+    "cut": "2 Rank and cut",
+    "burn": "3 Burn",
+    "judge": "4 Judge",
+}
 
 
 @dataclass(frozen=True)
@@ -26,7 +32,9 @@ class Form:
     main
         Options shown at the top, in this order; all others are folded away.
     shown
-        Outputs (by parameter name) that are made unless switched off; all others are made on demand.
+        Outputs (by parameter name) that stand on the form and are made unless switched off.
+    about
+        What it does, in the words of somebody who has layers and no command line; paragraphs as in the help.
     numbers
         Keys of the result that are given back as numbers, with their texts.
     before
@@ -40,19 +48,26 @@ class Form:
     group: str
     main: tuple[str, ...]
     shown: tuple[str, ...]
+    about: str
     numbers: Mapping[str, str] = field(default_factory=dict)
     before: str | None = None
     tags: tuple[str, ...] = ()
 
 
 _LAYERS = ("dem", "vegetation", "density", "legend")
-_FIRES = ("n_runs", "ignitions", "seed")
+_FIRES = ("ignitions", "n_runs", "seed")
 _WIND = ("wind_speed", "wind_from")
+_CLOCK = ("duration", "hold", "embers")
 _SHARES = {
     "burnt_share_without_breaks": "Mean burnt share without breaks",
     "burnt_share_with_breaks": "Mean burnt share with the breaks",
 }
 _CUT = {"cells_cut": "Cells cut", "ha_cut": "Area cut in hectares"}
+_ANY_GRID = (
+    "The layers may have any CRS, extent and cell size; they are laid on one square grid in metres. The density may be "
+    "a raster, one word for all fuel (how closed it is), or left out if the legend gives it. A FlamMap landscape "
+    "(.lcp) as elevation holds all layers."
+)
 
 #: All algorithms, in the order of the work; those whose command the manifest lacks are left out.
 FORMS = (
@@ -62,41 +77,95 @@ FORMS = (
         "prepare",
         _LAYERS,
         ("OUTPUT_ELEVATION", "OUTPUT_VEGETATION", "OUTPUT_DENSITY"),
+        "Lay elevation, vegetation and density on one square grid in metres, the codes turned into classes of fuel.\n\n"
+        + _ANY_GRID,
         tags=("reproject", "legend", "corine"),
     ),
     Form(
         "network",
         "Spread network",
         "prepare",
-        (*_LAYERS, "model", *_WIND),
+        (*_LAYERS, "model", *_WIND, "clock"),
         ("OUTPUT_NETWORK",),
+        "Find how likely fire spreads from each cell to its neighbours.\n\n"
+        "Bands 1 to 8 hold the probability that fire spreads to the N, NE, E, SE, S, SW, W and NW. If times are told "
+        "too, bands 9 to 16 hold the seconds that this takes, and band 17 the heat that the cell releases (kJ/m2). "
+        "Wind and slope then act on the times; so make a network without times for fires without a duration.",
         {"burnable_cells": "Cells with fuel"},
         before="align",
         tags=("wind", "slope", "probability"),
     ),
     Form(
+        "siting",
+        "Where a line can be held",
+        "prepare",
+        (*_LAYERS, "roads", "rivers"),
+        ("OUTPUT_SUITABILITY",),
+        "Rate from 0 to 1 how well a line can be held in each cell: the weighted mean of landform (ridges and valley "
+        "bottoms), slope for machines, roads, rivers, edges of the fuel, and access.\n\n"
+        "The weights have no source for your region: they are yours to set.",
+        {"mean_suitability": "Mean suitability where there is fuel"},
+        before="align",
+        tags=("suitability", "ridge", "road", "access"),
+    ),
+    Form(
+        "plan",
+        "Plan fire breaks",
+        "cut",
+        (
+            *_LAYERS,
+            "values",
+            "protected",
+            "barriers",
+            *_WIND,
+            "duration",
+            "budget",
+            "method",
+            "ignitions",
+            "n_runs",
+        ),
+        (
+            "OUTPUT_BREAKS",
+            "OUTPUT_SEGMENTS",
+            "OUTPUT_FREQUENCY",
+            "OUTPUT_FREQUENCY_WITH_BREAKS",
+            "OUTPUT_REPORT",
+        ),
+        "Plan fire breaks from layers: where to cut, what to build first, and how often each cell burns without and "
+        "with the breaks.\n\n" + _ANY_GRID,
+        {**_CUT, **_SHARES},
+        tags=("fuel break", "wildfire", "centrality"),
+    ),
+    Form(
         "rank",
         "Rank cells",
-        "plan",
-        ("network", "budget", "method", "seed"),
+        "cut",
+        ("network", "method", "budget", "values", "protected", "barriers", "seed"),
         ("OUTPUT_PRIORITY",),
+        "Rank the cells of a spread network by the order in which they should be cut: higher is earlier.\n\n"
+        "Rankings that lay a pattern for the budget give another order for another budget.",
         tags=("centrality", "bonacich", "betweenness", "priority"),
     ),
     Form(
         "breaks",
         "Select fire breaks",
-        "plan",
+        "cut",
         ("priority", "budget"),
         ("OUTPUT_BREAKS", "OUTPUT_BREAK_POLYGONS"),
+        "Cut the cells of highest priority, as many as the budget allows.\n\n"
+        "Ties are cut by row, then column. A priority that was made for another budget is warned of.",
         {"cells_cut": "Cells cut"},
         tags=("fuel break", "mask"),
     ),
     Form(
         "segments",
         "Segments to build",
-        "plan",
+        "cut",
         ("network", "mask", "priority", "dem"),
         ("OUTPUT_SEGMENTS", "OUTPUT_COMPARTMENTS"),
+        "Take fire breaks apart into segments to build, best first.\n\n"
+        "Each segment separates two compartments of fuel, and has an order of construction, a length, width, area, "
+        "mean slope and cost, and the share of all that the breaks save that it adds.",
         {
             "segments": "Segments",
             "stages": "Stages of construction",
@@ -106,27 +175,14 @@ FORMS = (
         tags=("line", "stage", "compartment"),
     ),
     Form(
-        "plan",
-        "Plan fire breaks",
-        "plan",
-        (*_LAYERS, "budget", "method", *_WIND, *_FIRES),
-        (
-            "OUTPUT_BREAKS",
-            "OUTPUT_SEGMENTS",
-            "OUTPUT_FREQUENCY",
-            "OUTPUT_FREQUENCY_WITH_BREAKS",
-            "OUTPUT_OVERVIEW",
-            "OUTPUT_REPORT",
-        ),
-        {**_CUT, **_SHARES},
-        tags=("fuel break", "wildfire", "centrality"),
-    ),
-    Form(
         "burn",
         "Burn frequency",
-        "fire",
-        ("network", "mask", "duration", "hold", "embers", *_FIRES),
+        "burn",
+        ("network", "mask", "barriers", *_CLOCK, *_FIRES),
         ("OUTPUT_FREQUENCY",),
+        "Let many fires start and tell how often each cell burns.\n\n"
+        "Fires with a duration need a network with times. With the same seed the fires are the same with and without "
+        "breaks, so their difference is the breaks' work alone.",
         {
             "mean_burnt_share": "Mean burnt share",
             "max_burnt_share": "Largest burnt share",
@@ -141,6 +197,8 @@ FORMS = (
         "judge",
         ("network", "method_list", "baseline", *_FIRES),
         ("OUTPUT_EVALUATION", "OUTPUT_FIGURE", "OUTPUT_REPORT"),
+        "Judge rankings: mean, 90 % percentile and maximum of the burnt share at every budget.\n\n"
+        "All rankings meet the same fires, and each plan is made for its budget.",
         tags=("statistics", "wilcoxon", "curve"),
     ),
     Form(
@@ -149,6 +207,8 @@ FORMS = (
         "judge",
         ("network", "method_list", "budgets", "residuals", *_FIRES),
         ("OUTPUT_COMPARISON", "OUTPUT_FIGURE", "OUTPUT_REPORT"),
+        "Compare rankings: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with "
+        "intervals.\n\nThe fires are fresh: no plan was designed with them, and all burn in the same ones.",
         tags=("statistics", "leak", "budget"),
     ),
     Form(
@@ -157,6 +217,9 @@ FORMS = (
         "judge",
         (*_LAYERS, "scar", "start", "duration", "weather", "weather_step", *_WIND, "n_runs", "seed"),
         ("OUTPUT_SCORES", "OUTPUT_FREQUENCY", "OUTPUT_VALIDATION", "OUTPUT_REPORT"),
+        "Hold a simulated fire against the area that burnt, beside fires that know nothing.\n\n"
+        "Sorensen's index, IoU, the IoU of the growth alone, size, Brier score and reliability are told for the "
+        "simulated fire and for the null models: no growth, equal distance in fuel, an ellipse in the wind.",
         {"observed_ha": "Observed hectares", "simulated_ha": "Simulated hectares"},
         before="align",
         tags=("perimeter", "skill", "reliability", "calibration"),
@@ -167,88 +230,22 @@ FORMS = (
         "judge",
         (*_LAYERS, "fires", "weather", "fit", "least", "n_runs", "seed"),
         ("OUTPUT_CALIBRATION", "OUTPUT_REPORT"),
+        "Fit the rate of spread, durations and spread probability to the fires of a region.\n\n"
+        "The fires are polygons or a table with their sizes and perhaps their days; the weather tells the winds in "
+        "which they burn. More numbers than the fires can tell are refused.",
         {"n_fires": "Fires", "n_parameters": "Numbers fitted"},
         before="align",
         tags=("duration", "fire size", "rate of spread"),
     ),
-)
-
-#: Options that the plugin sets itself or that mean nothing in a form.
-HIDDEN = frozenset(
-    {"output", "overwrite", "as_json", "progress_mode", "verbose", "quiet", "dry_run", "folder", "config"}
-)
-
-#: Options that a form leaves out: that of burn takes a network, which was made for one model and one wind.
-LEFT_OUT: Mapping[str, tuple[str, ...]] = {
-    "burn": (
-        "weather",
-        "weather_step",
-        "weather_columns",
-        "weather_units",
-        "weather_ignore",
-        "model",
-        "model_params",
-        "wind_speed",
-        "wind_from",
-        "wind_uv",
-        "moisture",
-        "neighbourhood",
-    )
-}
-
-#: Fields that mean something in the forms named here only.
-ONLY_IN: Mapping[str, tuple[str, ...]] = {"COST": ("plan",)}
-
-#: Parameter names that do not follow from the option or file.
-RENAMED: Mapping[str, str] = {
-    "mask": "INPUT_BREAKS",
-    "like": "INPUT_GRID",
-    "method_list": "METHODS",
-    "polygons": "OUTPUT_BREAK_POLYGONS",
-    "sizes": "OUTPUT_FIRE_SIZES",
-    "breaks.gpkg": "OUTPUT_BREAK_POLYGONS",
-    "burn_frequency.tif": "OUTPUT_FREQUENCY",
-    "burn_frequency_with_breaks.tif": "OUTPUT_FREQUENCY_WITH_BREAKS",
-    "comparison.png": "OUTPUT_FIGURE",
-    "comparison.svg": "OUTPUT_FIGURE_SVG",
-    "evaluation.png": "OUTPUT_FIGURE",
-    "evaluation.svg": "OUTPUT_FIGURE_SVG",
-    "table": "OUTPUT_FIRES",
-    "run.json": "OUTPUT_RUN",
-}
-
-#: The file behind -o, which names the output, of commands that write one file; the stem is that of the style.
-FILES: Mapping[str, tuple[str, str]] = {
-    "network": ("network.tif", "Spread network"),
-    "rank": ("priority.tif", "Cutting priority"),
-    "breaks": ("breaks.tif", "Fire breaks"),
-    "burn": ("burn_frequency.tif", "Burn frequency"),
-    "segments": ("segments.gpkg", "Segments to build, in order"),
-    "calibrate": ("calibration.toml", "Configuration for every command"),
-}
-
-#: Parameters of methods that an option of the same meaning sets.
-SET_BY_OPTION = frozenset({"wind_speed", "wind_from_direction", "moisture"})
-
-#: Which option takes the parameters of the method that another option chooses, and the kind of method.
-METHOD_OPTIONS: Mapping[str, tuple[str, str]] = {
-    "method_params": ("method", "ranking"),
-    "model_params": ("model", "spread"),
-}
-
-#: Outputs from the top of the map to its bottom.
-DRAWING_ORDER = (
-    "OUTPUT_SEGMENTS",
-    "OUTPUT_BREAK_POLYGONS",
-    "OUTPUT_BREAKS",
-    "OUTPUT_COMPARTMENTS",
-    "OUTPUT_FREQUENCY_WITH_BREAKS",
-    "OUTPUT_FREQUENCY",
-    "OUTPUT_PRIORITY",
-    "OUTPUT_NETWORK",
-    "OUTPUT_DENSITY_EFFECT",
-    "OUTPUT_VEGETATION_EFFECT",
-    "OUTPUT_DENSITY",
-    "OUTPUT_VEGETATION",
-    "OUTPUT_ELEVATION",
+    Form(
+        "report",
+        "Report of a run",
+        "judge",
+        ("run",),
+        ("OUTPUT_REPORT",),
+        "Show a plan or a comparison on one page: map, segments, curve, assumptions, files.\n\n"
+        "Choose the folder into which all files of the run were written. The page opens in any browser without a "
+        "network. Its links lead to files beside the page, so write it into that folder.",
+        tags=("html", "page", "map"),
+    ),
 )

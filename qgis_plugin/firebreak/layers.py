@@ -17,10 +17,13 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QCoreApplication
 
+from . import enums
 from .manifest import Field
 
 #: Vector formats that the engine reads as they are; all others are exported first.
 _VECTOR_FORMATS = ["gpkg", "geojson", "fgb", "shp"]
+
+_READERS = {"folder": "file"}
 
 
 class FormValues:
@@ -52,7 +55,7 @@ class FormValues:
 
     def read(self, fields: tuple[Field, ...]) -> dict[str, Any]:
         """Return the value of every field by its name, None where nothing was given."""
-        return {field.name: getattr(self, f"_{field.kind}")(field) for field in fields}
+        return {field.name: getattr(self, f"_{_READERS.get(field.kind, field.kind)}")(field) for field in fields}
 
     def _given(self, field: Field) -> bool:
         return self._parameters.get(field.name) not in (None, "")
@@ -80,7 +83,7 @@ class FormValues:
         failure = writer.writeRaster(
             pipe, layer.width(), layer.height(), layer.extent(), layer.crs(), self._context.transformContext()
         )
-        if failure != QgsRasterFileWriter.WriterError.NoError:
+        if failure != enums.RASTER_WRITTEN:
             message = QCoreApplication.translate("Firebreak", "The layer {} cannot be read as cells of a raster.")
             raise QgsProcessingException(message.format(layer.name()))
         return path
@@ -102,7 +105,7 @@ class FormValues:
         crs = self._algorithm.parameterAsCrs(self._parameters, field.name, self._context)
         if not crs.isValid():
             return None
-        return crs.authid() or crs.toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT2_2019)
+        return crs.authid() or crs.toWkt(enums.WKT2_2019)
 
     def _extent(self, field: Field) -> tuple[float, ...] | None:
         if not self._given(field):

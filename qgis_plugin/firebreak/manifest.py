@@ -6,17 +6,15 @@ legend or a file) becomes two. Nothing here imports QGIS.
 
 from __future__ import annotations
 
-import json
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path, PurePath
+from pathlib import PurePath
 from typing import Any
 
-from . import forms, labels
-
-FILE = Path(__file__).with_name("manifest.json")
+from . import forms, labels, names
+from .words import document as _document
+from .words import label_of, words_of_forms
 
 #: Fields for layers are named INPUT_..., those for files written OUTPUT_...
 _LAYER_KINDS = ("raster", "vector")
@@ -32,6 +30,7 @@ _PLAIN_KINDS = {
     "crs": "crs",
     "file": "file",
     "path": "file",
+    "directory": "folder",
 }
 _OUTPUT_KINDS = {".tif": "raster", ".gpkg": "vector"}
 
@@ -45,7 +44,7 @@ class Field:
     name
         Of the QGIS parameter.
     kind
-        `raster`, `vector`, `field`, `file`, `crs`, `extent`, `number`, `integer`, `boolean`, `choice`,
+        `raster`, `vector`, `field`, `file`, `folder`, `crs`, `extent`, `number`, `integer`, `boolean`, `choice`,
         `choices` or `text`.
     label, help
         Texts.
@@ -59,8 +58,6 @@ class Field:
         As far as they are known.
     parent
         Of a `field`: the parameter of its layer.
-    method
-        The method (and the option that chooses it) that has to be chosen for this value to count.
     """
 
     name: str
@@ -77,7 +74,6 @@ class Field:
     low: float | None = None
     high: float | None = None
     parent: str = ""
-    method: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True)
@@ -89,15 +85,15 @@ class Output:
     name
         Of the QGIS parameter.
     kind
-        `raster`, `vector` or `file`.
+        `raster`, `vector`, `file` or `folder`.
     label
         Text.
     file
-        Name under which the command writes it.
+        Name under which the command writes it; empty for the folder of all that a run writes.
     flag
         Flag that asks the command to write it; empty if it writes it anyway.
     shown
-        Whether it is made unless switched off.
+        Whether it stands on the form and is made unless switched off. Others can be named in scripts and models.
     """
 
     name: str
@@ -121,11 +117,6 @@ class Description:
 
 
 @lru_cache(maxsize=1)
-def _document() -> dict[str, Any]:
-    return json.loads(FILE.read_text(encoding="utf-8"))
-
-
-@lru_cache(maxsize=1)
 def descriptions() -> tuple[Description, ...]:
     """Return the description of every form whose command the manifest has."""
     document = _document()
@@ -144,24 +135,21 @@ def _description(form: forms.Form, document: dict[str, Any]) -> Description:
         known = {option["name"] for option in options}
         options += [o for o in document["commands"][form.before]["parameters"] if o["name"] not in known]
     fields: list[Field] = []
-    options = [option for option in options if option["name"] not in forms.LEFT_OUT.get(form.name, ())]
+    options = [option for option in options if option["name"] not in names.LEFT_OUT.get(form.name, ())]
     for option in options:
-        if option["name"] in forms.METHOD_OPTIONS:
-            fields += _method_fields(option, document)
-        elif option["name"] not in forms.HIDDEN and not option["type"].startswith("new-"):
+        if option["name"] not in names.HIDDEN and not _is_written(option):
             fields += _fields(option, form, _either(document))
     order = {name: place for place, name in enumerate(form.main)}
-    fields = [f for f in fields if form.name in forms.ONLY_IN.get(f.name, (form.name,))]
-    fields.sort(key=lambda f: (f.advanced, f.method is not None, order.get(f.option, len(order))))
-    kinds = {kind for option, kind in forms.METHOD_OPTIONS.values() if any(f.option == option for f in fields)}
-    if any(f.kind == "choices" for f in fields):
-        kinds.add("ranking")
+    fields = [f for f in fields if form.name in names.ONLY_IN.get(f.name, (form.name,))]
+    fields.sort(key=lambda f: (f.advanced, order.get(f.option, len(order))))
+    chosen = [set(f.choices) for f in fields if f.choices]
+    kinds = {kind for kind, known in document["methods"].items() if {method["name"] for method in known} in chosen}
     return Description(
         form,
-        _words_of_forms(command["help"], form.name),
+        form.about,
         tuple(fields),
         tuple(_outputs(form, command)),
-        any(o["name"] == "output" and o["type"] == "directory" for o in command["parameters"]),
+        _into_folder(command),
         tuple(method for kind in sorted(kinds) for method in document["methods"][kind]),
     )
 
@@ -180,7 +168,7 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
         kinds, parent = ["field"], _name(option["name"][: -len(_FIELD)], "vector")
     for place, word in enumerate(kinds):
         kind = _kind(word)
-        label = _label(option["name"])
+        label = label_of(option["name"])
         low, high = labels.RANGES.get(option["name"], (None, None))
         default = option.get("default") if place == 0 else None
         if place > 0:
@@ -188,10 +176,14 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
         if kind in ("number", "integer") and default is not None:
             default = float(default) if kind == "number" else int(default)
         yield Field(
-            _name(option["name"], kind, second=place > 0 or option["name"] in either or kinds == ["file", "text"]),
+            _name(
+                option["name"],
+                kind,
+                second=place > 0 or (kind == "raster" and option["name"] in either) or kinds == ["file", "text"],
+            ),
             kind,
             label,
-            _words_of_forms(option.get("help") or labels.HELP.get(option["name"], ""), form.name),
+            words_of_forms(option.get("help") or labels.HELP.get(option["name"], ""), form.name),
             option["name"],
             (option.get("flags") or [""])[-1],
             required=bool(option.get("required")) and len(kinds) == 1,
@@ -209,82 +201,51 @@ _TEXTS = {"weather": "a wind rose: rose:NW=5x0.4,N=8x0.2"}
 _ARTICLES = {"choice": "one class for all fuel", "file": "a CSV file", "text": "classes: agricultural=500,pines=1500"}
 
 
-def _words_of_forms(text: str, form: str) -> str:
-    """Put the labels of the form in the place of flags, and leave out what points to commands."""
-    text = text.replace(f"(firebreak {form} only) ", "")
-    text = re.sub(r"(, or)? \(firebreak \w+ only\)[^.]*", "", text)
-    text = re.sub(r" \(firebreak [\w ]+\)", "", text)
-    return re.sub(r"--[a-z][a-z-]*", lambda flag: f'"{_flags().get(flag.group(), flag.group())}"', text)
-
-
-@lru_cache(maxsize=1)
-def _flags() -> dict[str, str]:
-    """Return the label of every flag."""
-    options = (option for c in _document()["commands"].values() for option in c.get("parameters", ()))
-    return {flag: _label(option["name"]) for option in options for flag in option.get("flags", ())}
-
-
 def _kind(word: str) -> str:
     return word if word in (*_LAYER_KINDS, "extent", "field") else _PLAIN_KINDS.get(word, "text")
 
 
 def _name(option: str, kind: str, *, second: bool = False) -> str:
     """Return the name of a parameter; `second` tells that the plain name belongs to another kind."""
-    if second and kind in ("raster", "file"):
-        return f"INPUT_{option.upper()}_RASTER" if kind == "raster" else f"{option.upper()}_FILE"
-    if option in forms.RENAMED:
-        return forms.RENAMED[option]
+    if second and kind in _LAYER_KINDS:
+        return f"INPUT_{option.upper()}_{kind.upper()}"
+    if second and kind == "file":
+        return f"{option.upper()}_FILE"
+    if option in names.RENAMED:
+        return names.RENAMED[option]
     return f"INPUT_{option.upper()}" if kind in _LAYER_KINDS else option.upper()
 
 
-def _label(option: str) -> str:
-    return labels.LABELS.get(option) or option.replace("_", " ").capitalize()
+def _is_written(option: dict[str, Any]) -> bool:
+    """Tell whether the option names what the command writes."""
+    return option["type"].startswith("new-") or (option["type"] == "directory" and bool(option.get("flags")))
 
 
-def _method_fields(option: dict[str, Any], document: dict[str, Any]) -> Iterator[Field]:
-    """Yield a field for every parameter of every method that the option's parameters may be meant for."""
-    chooser, kind = forms.METHOD_OPTIONS[option["name"]]
-    types = {"int": "integer", "float": "number", "bool": "boolean", "str": "text"}
-    for method in document["methods"][kind]:
-        for parameter in method["parameters"]:
-            if parameter["name"] in forms.SET_BY_OPTION:
-                continue
-            choices = tuple(parameter.get("choices", ()))
-            is_path = parameter.get("path", False)
-            words = "raster" if is_path else "choice" if choices else types.get(parameter["type"], "text")
-            units = "" if parameter.get("units", "1") == "1" else f" [{parameter['units']}]"
-            name = f"{method['name']}_{parameter['name']}".upper()
-            yield Field(
-                f"INPUT_{name}" if is_path else name,
-                words,
-                f"{method['name']}: {parameter['name']}{units}",
-                f"{parameter['text']} (counts for {method['name']} only)",
-                f"{option['name']}:{parameter['name']}",
-                option["flags"][-1],
-                default=None if is_path else parameter.get("default"),
-                choices=choices,
-                low=parameter.get("minimum"),
-                high=parameter.get("maximum"),
-                method=(chooser, method["name"]),
-            )
+def _into_folder(command: dict[str, Any]) -> bool:
+    return any(o["name"] == "output" and o["type"] == "directory" for o in command["parameters"])
 
 
 def _outputs(form: forms.Form, command: dict[str, Any]) -> Iterator[Output]:
-    if form.name in forms.FILES:
-        file, label = forms.FILES[form.name]
+    if form.name in names.FILES:
+        file, label = names.FILES[form.name]
         yield _output(form, file, label)
     for file, label in command.get("outputs", {}).items():
         yield _output(form, file, label)
     suffixes = {"new-raster": ".tif", "new-vector": ".gpkg", "new-table": ".csv"}
+    if _into_folder(command):
+        yield Output("OUTPUT_FOLDER", "folder", "Folder for all files", "", "", shown=False)
     for option in command["parameters"]:
+        if option["name"] != "output" and option["type"] == "directory" and option.get("flags"):
+            name = f"OUTPUT_{option['name'].upper()}"
+            yield Output(name, "folder", label_of(option["name"]), option["name"], option["flags"][-1], shown=False)
         if option["type"] in suffixes and option["name"] != "output":
             file = option["name"] + suffixes[option["type"]]
-            yield _output(form, file, _label(option["name"]), forms.RENAMED.get(option["name"]), option["flags"][-1])
+            yield _output(form, file, label_of(option["name"]), names.RENAMED.get(option["name"]), option["flags"][-1])
 
 
 def _output(form: forms.Form, file: str, label: str, name: str | None = None, flag: str = "") -> Output:
     path = PurePath(file)
-    name = name or forms.RENAMED.get(file) or f"OUTPUT_{path.stem.upper()}"
+    name = name or names.RENAMED.get(file) or f"OUTPUT_{path.stem.upper()}"
     return Output(name, _OUTPUT_KINDS.get(path.suffix, "file"), label, file, flag, name in form.shown)
 
 

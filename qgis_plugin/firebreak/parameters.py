@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from qgis.core import (
-    QgsProcessing,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterCrs,
     QgsProcessingParameterDefinition,
@@ -15,6 +14,7 @@ from qgis.core import (
     QgsProcessingParameterField,
     QgsProcessingParameterFile,
     QgsProcessingParameterFileDestination,
+    QgsProcessingParameterFolderDestination,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterRasterLayer,
@@ -22,6 +22,7 @@ from qgis.core import (
     QgsProcessingParameterVectorDestination,
 )
 
+from . import enums
 from .manifest import Field, Output
 from .texts import file_filter, translated
 
@@ -34,16 +35,17 @@ def input_parameter(field: Field) -> QgsProcessingParameterDefinition:
     make: dict[str, Any] = {
         "raster": lambda: QgsProcessingParameterRasterLayer(field.name, label, optional=optional),
         "vector": lambda: QgsProcessingParameterFeatureSource(
-            field.name, label, [QgsProcessing.SourceType.TypeVectorAnyGeometry], optional=optional
+            field.name, label, [enums.ANY_GEOMETRY], optional=optional
         ),
         "field": lambda: QgsProcessingParameterField(
             field.name, label, parentLayerParameterName=field.parent, optional=optional
         ),
         "file": lambda: QgsProcessingParameterFile(field.name, label, optional=optional),
+        "folder": lambda: QgsProcessingParameterFile(field.name, label, enums.FOLDER, optional=optional),
         "crs": lambda: QgsProcessingParameterCrs(field.name, label, optional=optional),
         "extent": lambda: QgsProcessingParameterExtent(field.name, label, optional=optional),
-        "number": lambda: _number(field, label, QgsProcessingParameterNumber.Type.Double),
-        "integer": lambda: _number(field, label, QgsProcessingParameterNumber.Type.Integer),
+        "number": lambda: _number(field, label, enums.DOUBLE),
+        "integer": lambda: _number(field, label, enums.INTEGER),
         "boolean": lambda: QgsProcessingParameterBoolean(field.name, label, bool(field.default), optional=optional),
         "choice": lambda: _choice(field, label, several=False),
         "choices": lambda: _choice(field, label, several=True),
@@ -52,26 +54,31 @@ def input_parameter(field: Field) -> QgsProcessingParameterDefinition:
     parameter = make[field.kind]()
     parameter.setHelp(translated(field.help))
     if field.advanced:
-        parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
+        parameter.setFlags(parameter.flags() | enums.ADVANCED)
     return parameter
 
 
 def output_parameter(output: Output) -> QgsProcessingParameterDefinition:
-    """Return the QGIS destination for an output."""
+    """Return the QGIS destination for an output; those that the form does not show can be named in scripts and models.
+
+    All files of a run come with its folder, so that the form stays short.
+    """
+    parameter = _destination(output)
+    if not output.shown and output.kind != "folder":
+        parameter.setFlags(parameter.flags() | enums.HIDDEN)
+    return parameter
+
+
+def _destination(output: Output) -> QgsProcessingParameterDefinition:
     label = translated(output.label)
+    usual: dict[str, bool] = {"optional": True, "createByDefault": output.shown}
     if output.kind == "raster":
-        return QgsProcessingParameterRasterDestination(output.name, label, optional=True, createByDefault=output.shown)
+        return QgsProcessingParameterRasterDestination(output.name, label, **usual)
     if output.kind == "vector":
-        return QgsProcessingParameterVectorDestination(
-            output.name,
-            label,
-            QgsProcessing.SourceType.TypeVectorAnyGeometry,
-            optional=True,
-            createByDefault=output.shown,
-        )
-    return QgsProcessingParameterFileDestination(
-        output.name, label, file_filter(output.file), optional=True, createByDefault=output.shown
-    )
+        return QgsProcessingParameterVectorDestination(output.name, label, enums.ANY_GEOMETRY, **usual)
+    if output.kind == "folder":
+        return QgsProcessingParameterFolderDestination(output.name, label, **usual)
+    return QgsProcessingParameterFileDestination(output.name, label, file_filter(output.file), **usual)
 
 
 def _is_optional(field: Field) -> bool:
@@ -85,7 +92,7 @@ def _number(field: Field, label: str, kind: Any) -> QgsProcessingParameterNumber
         parameter.setMinimum(field.low)
     if field.high is not None:
         parameter.setMaximum(field.high)
-    if kind == QgsProcessingParameterNumber.Type.Double:
+    if kind == enums.DOUBLE:
         parameter.setMetadata({"widget_wrapper": {"decimals": _DECIMALS}})
     return parameter
 

@@ -10,6 +10,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from .algorithm import FirebreakAlgorithm
 from .manifest import descriptions
+from .results import VECTOR_FORMATS
 
 ICON = Path(__file__).parent / "icons" / "firebreak.svg"
 
@@ -47,8 +48,8 @@ class FirebreakProvider(QgsProcessingProvider):
         return ["tif"]
 
     def supportedOutputVectorLayerExtensions(self) -> list[str]:  # noqa: N802
-        """Return the one vector format that the forms offer."""
-        return ["gpkg"]
+        """Return the vector formats that the forms offer."""
+        return list(VECTOR_FORMATS)
 
     def defaultRasterFileExtension(self) -> str:  # noqa: N802
         """Return the extension of temporary rasters."""

@@ -8,6 +8,9 @@ import shutil
 from pathlib import Path
 from uuid import uuid4
 
+#: Vector formats that can be chosen, by the ending of the name; the engine writes the first, QGIS turns it into others.
+VECTOR_FORMATS = ("gpkg", "geojson", "fgb", "shp")
+
 
 class DestinationError(OSError):
     """A destination cannot be written; the text is meant for the user."""
@@ -27,8 +30,20 @@ def deliver(file: Path, destination: Path) -> None:
         _place(style, destination.with_suffix(".qml"))
 
 
+def deliver_folder(folder: Path, destination: Path) -> None:
+    """Copy all files of a folder, each whole or not at all.
+
+    Raises
+    ------
+    DestinationError
+        If one of them cannot be written.
+    """
+    for file in sorted(path for path in folder.rglob("*") if path.is_file()):
+        _place(file, destination / file.relative_to(folder))
+
+
 def refuse_inputs(destinations: dict[str, str], inputs: list[str]) -> None:
-    """Refuse destinations that are inputs or the same file twice.
+    """Refuse destinations that are inputs, hold inputs, or are the same file twice.
 
     Raises
     ------
@@ -41,6 +56,9 @@ def refuse_inputs(destinations: dict[str, str], inputs: list[str]) -> None:
         if other:
             raise DestinationError(f"{name} would overwrite {other}: {path}. Choose another file.")
         taken[_identity(path)] = name
+        held = [one for one in inputs if Path(_identity(one)).parent == Path(_identity(path))]
+        if held:
+            raise DestinationError(f"{name} is the folder of an input, {held[0]}. Choose another folder.")
 
 
 def refuse_formats(destinations: dict[str, str], files: dict[str, str]) -> None:
@@ -61,7 +79,8 @@ def refuse_formats(destinations: dict[str, str], files: dict[str, str]) -> None:
     for name, path in destinations.items():
         ending = Path(files[name]).suffix
         given = Path(path).suffix.lower()
-        if given != ending and (given, ending) != (".tiff", ".tif"):
+        converted = ending == ".gpkg" and given[1:] in VECTOR_FORMATS
+        if ending and given != ending and not converted and (given, ending) != (".tiff", ".tif"):
             raise DestinationError(
                 f"{name} is written as {ending}, but {Path(path).name} says another format. Let its name end in "
                 f"{ending}, and export the layer to the other format afterwards."

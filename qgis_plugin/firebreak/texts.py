@@ -6,10 +6,12 @@ from configparser import ConfigParser
 from functools import lru_cache
 from html import escape
 from pathlib import Path, PurePath
+from typing import Any
 
 from qgis.PyQt.QtCore import QCoreApplication
 
 from .manifest import Description, Field
+from .names import SET_BY_OPTION
 
 _PICTURES = Path(__file__).with_name("pictures")
 _PICTURE_WIDTH = 220  # of the narrow help panel
@@ -46,14 +48,27 @@ def help_page(description: Description) -> str:
         parts.append(f'<p><img src="{picture.as_uri()}" width="{_PICTURE_WIDTH}"></p>')
     heading = QCoreApplication.translate("Firebreak", "Parameters")
     parts.append(f"<h3>{escape(heading)}</h3>")
-    parts += [_entry(field) for field in description.fields if field.help and not field.method]
+    parts += [_entry(field) for field in description.fields if field.help]
     if description.methods:
         parts.append(f"<h3>{escape(QCoreApplication.translate('Firebreak', 'Methods'))}</h3>")
-        parts += [f"<p><b>{escape(m['name'])}</b>: {escape(translated(m['summary']))}</p>" for m in description.methods]
+        parts += [_method(method) for method in description.methods]
     if description.outputs:
         parts.append(f"<h3>{escape(QCoreApplication.translate('Firebreak', 'Outputs'))}</h3>")
         parts += [f"<p><b>{output.name}</b>: {escape(translated(output.label))}</p>" for output in description.outputs]
     return "".join(parts)  # QGIS shows every line break
+
+
+def _method(method: dict[str, Any]) -> str:
+    """Return what a method does and the parameters that it takes."""
+    known = [p for p in method["parameters"] if p["name"] not in SET_BY_OPTION]
+    items = "".join(f"<li>{escape(p['name'])}{_usual(p)}: {escape(translated(p['text']))}</li>" for p in known)
+    about = f"<b>{escape(method['name'])}</b>: {escape(translated(method['summary']))}"
+    return f"<p>{about}</p><ul>{items}</ul>" if items else f"<p>{about}</p>"
+
+
+def _usual(parameter: dict[str, Any]) -> str:
+    units = "" if parameter.get("units", "1") == "1" else f" {parameter['units']}"
+    return f" = {escape(str(parameter['default']))}{escape(units)}" if parameter.get("default") is not None else ""
 
 
 def _entry(field: Field) -> str:

@@ -461,16 +461,20 @@ def test_arguments_come_last_and_in_order():
     assert _option(words, "-o") == ["out"]
 
 
-def test_only_the_chosen_method_gets_parameters():
-    words = _plan(METHOD="bonacich", BONACICH_BETA=0.25, BETWEENNESS_PIVOTS=7)
-    assert "beta=0.25" in _option(words, "--param")
-    assert not [word for word in words if "pivots" in word]
-    assert not [word for word in _option(words, "--param") if not word.startswith("beta")], "defaults"
+def test_parameters_of_methods_come_in_one_field():
+    words = _plan(METHOD="bonacich", METHOD_PARAMS="beta=0.25; until=0.5")
+    assert _option(words, "--param") == ["beta=0.25", "until=0.5"]
+    assert _option(words, "--method") == ["bonacich"]
+
+
+def test_what_is_left_at_its_default_is_left_to_the_engine():
+    words = _plan()
+    assert [word for word in words if word.startswith("-")] == ["-o", "--"]
 
 
 def test_a_file_wins_over_the_default_choice():
     assert _option(_plan(LEGEND_FILE="mine.csv"), "--legend") == ["mine.csv"]
-    assert _option(_plan(), "--legend") == ["paper"]
+    assert _option(_plan(LEGEND="corine"), "--legend") == ["corine"]
     assert _option(_plan(INPUT_WIND_SPEED_RASTER="w.tif"), "--wind-speed") == ["w.tif"]
 
 
@@ -526,6 +530,8 @@ def test_inputs_are_never_destinations(tmp_path):
         results.refuse_inputs({"OUTPUT_BREAKS": str(tmp_path / "link.tif")}, [str(tmp_path / "dem.tif")])
     with pytest.raises(results.DestinationError, match="overwrite A"):
         results.refuse_inputs({"A": "/x/y.tif", "B": "/x/y.tif"}, [])
+    with pytest.raises(results.DestinationError, match="folder of an input"):
+        results.refuse_inputs({"OUTPUT_FOLDER": str(tmp_path)}, [str(tmp_path / "dem.tif")])
 
 
 def test_the_real_engine_answers(tmp_path):
@@ -547,8 +553,9 @@ def test_the_real_engine_answers(tmp_path):
 def test_a_destination_of_another_format_is_refused(name):
     files = {"OUTPUT_BREAKS": "breaks.tif", "OUTPUT_SEGMENTS": "segments.gpkg"}
     results.refuse_formats({"OUTPUT_BREAKS": "/x/b.TIF", "OUTPUT_SEGMENTS": "/x/s.gpkg"}, files)
+    results.refuse_formats({"OUTPUT_SEGMENTS": "/x/s.GeoJSON"}, files)
     with pytest.raises(results.DestinationError, match=r"OUTPUT_BREAKS is written as \.tif"):
         results.refuse_formats({"OUTPUT_BREAKS": f"/x/{name}"}, files)
-    for other in ("s.kml", "s.shp", "s.geojson"):
+    for other in ("s.kml", "s.mif", "s"):
         with pytest.raises(results.DestinationError, match=r"\.gpkg"):
             results.refuse_formats({"OUTPUT_SEGMENTS": f"/x/{other}"}, files)

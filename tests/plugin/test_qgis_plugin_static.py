@@ -23,7 +23,7 @@ PICTURES = {".svg", ".png"}
 
 sys.path.insert(0, str(PLUGIN.parent))
 
-from firebreak import forms, manifest  # noqa: E402
+from firebreak import forms, manifest, words  # noqa: E402
 
 source = pytest.mark.parametrize("path", SOURCES, ids=lambda p: p.relative_to(PLUGIN).as_posix())
 
@@ -52,7 +52,7 @@ def test_imports_are_pyqgis_and_the_standard_library(path):
 def test_the_engine_part_needs_no_qgis():
     free = [
         *PLUGIN.glob("engine/*.py"),
-        *(PLUGIN / f"{n}.py" for n in ("forms", "labels", "manifest", "arguments", "results")),
+        *(PLUGIN / f"{n}.py" for n in ("forms", "labels", "names", "words", "manifest", "arguments", "results")),
     ]
     for path in free:
         assert "qgis" not in {
@@ -195,11 +195,47 @@ def test_groups():
     for description in manifest.descriptions():
         found.setdefault(forms.GROUPS[description.form.group], []).append(description.form.title)
     assert found == {
-        "Prepare": ["Align landscape", "Spread network"],
-        "Plan": ["Rank cells", "Select fire breaks", "Segments to build", "Plan fire breaks"],
-        "Fire": ["Burn frequency"],
-        "Judge": ["Evaluate", "Compare", "Validate against a scar", "Calibrate on observed fires"],
+        "1 Prepare": ["Align landscape", "Spread network", "Where a line can be held"],
+        "2 Rank and cut": ["Plan fire breaks", "Rank cells", "Select fire breaks", "Segments to build"],
+        "3 Burn": ["Burn frequency"],
+        "4 Judge": [
+            "Evaluate",
+            "Compare",
+            "Validate against a scar",
+            "Calibrate on observed fires",
+            "Report of a run",
+        ],
     }
+
+
+def test_the_table_of_forms_names_only_options_that_some_command_has(described):
+    known = {option["name"] for c in described["commands"].values() for option in c.get("parameters", ())}
+    for form in forms.FORMS:
+        assert set(form.main) <= known, form.name
+        assert len(form.main) == len(set(form.main))
+
+
+@pytest.mark.parametrize("description", manifest.descriptions(), ids=lambda d: d.form.name)
+def test_forms_are_short(description):
+    """What stands on the form; the rest is folded away, or comes with the folder of all files."""
+    seen = [f.name for f in description.fields if not f.advanced]
+    seen += [o.name for o in description.outputs if o.shown or o.kind == "folder"]
+    assert len(seen) <= 20, seen
+    options = [f.option for f in description.fields]
+    assert ("method" in options) == ("method_params" in options), "one field takes the parameters of all rankings"
+
+
+@pytest.mark.parametrize("description", manifest.descriptions(), ids=lambda d: d.form.name)
+def test_help_is_about_layers_not_about_a_command_line(description):
+    for text in (description.text, *(f.help for f in description.fields), *(f.label for f in description.fields)):
+        assert not re.search(r"--|\b(DEM|VEGETATION|DENSITY|NETWORK|PRIORITY|BREAKS|FOLDER|LANDSCAPE)\b|stdin", text), (
+            text
+        )
+
+
+def test_messages_are_told_in_the_words_of_the_form():
+    told = words.in_form_words("--budget 1.5 is no share; give --wind-from or a--b, see --no-such-flag")
+    assert told == '"Budget" 1.5 is no share; give "Wind from" or a--b, see "No such flag"'
 
 
 #: Words of help texts that tell that a number has a unit or none.
@@ -218,7 +254,7 @@ def test_form_of_burn_asks_for_a_clock_and_not_for_another_wind():
 @pytest.mark.parametrize("description", manifest.descriptions(), ids=lambda d: d.form.name)
 def test_numbers_have_units(description):
     for field in description.fields:
-        if field.kind == "number" and field.method is None:
+        if field.kind == "number":
             assert UNITS.search(f"{field.label} {field.help}"), field.name
 
 
@@ -385,4 +421,5 @@ def test_sample_project_is_relative():
     for place in places:
         assert place.startswith("../../sample_data/")
         assert (PLUGIN.parent / "sample" / place).is_file()
+    assert '"nan"' not in text
     assert not re.search(r"(saveUser|/(home|root)/|[A-Z]:\\)", text)

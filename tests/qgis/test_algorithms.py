@@ -24,6 +24,9 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
+#: Algorithms whose help shows a map or a curve.
+PICTURED = {"align", "network", "rank", "breaks", "segments", "plan", "burn", "evaluate", "compare"}
+
 pytestmark = pytest.mark.usefixtures("provider")
 
 
@@ -89,7 +92,7 @@ def test_rank(reference, tmp_path):
         "rank",
         INPUT_NETWORK=str(reference / "network.tif"),
         METHOD="bonacich",
-        BONACICH_BETA=0.3,
+        METHOD_PARAMS="beta=0.3",
         OUTPUT_PRIORITY=str(tmp_path / "p.tif"),
     )
     assert cells(found["OUTPUT_PRIORITY"]) == cells(reference / "priority.tif")
@@ -174,13 +177,153 @@ def test_segments(layers, reference, tmp_path):
     assert found["SEGMENTS"] == len(features(reference / "segments.gpkg", "polygons")) > 0
 
 
+def test_siting(layers, data, reference, tmp_path):
+    roads = str(data / "roads.gpkg")
+    firebreak(
+        "siting", "--roads", roads, "--siting-param", "ridge=2", "-o", tmp_path / "c.tif", reference / "landscape"
+    )
+    found = run(
+        "siting",
+        **layers,
+        RESOLUTION=QUICK["RESOLUTION"],
+        INPUT_ROADS=roads,
+        WEIGHTS="ridge=2",
+        OUTPUT_SUITABILITY=str(tmp_path / "s.tif"),
+    )
+    assert cells(found["OUTPUT_SUITABILITY"]) == cells(tmp_path / "c.tif")
+    assert 0 < found["MEAN_SUITABILITY"] < 1
+
+
+def test_validate(layers, data, reference, tmp_path):
+    scar, start = str(data / "villages.gpkg"), str(data / "ignitions.gpkg")
+    runs = ("--runs", QUICK["N_RUNS"], "--start", start, "--duration", "2h", "--wind-speed", 5)
+    firebreak("validate", *runs, "-o", tmp_path / "own", reference / "landscape", scar)
+    found = run(
+        "validate",
+        **layers,
+        **QUICK,
+        INPUT_SCAR=scar,
+        INPUT_START=start,
+        DURATION="2h",
+        WIND_SPEED=5,
+        OUTPUT_SCORES=str(tmp_path / "s.csv"),
+        OUTPUT_FREQUENCY=str(tmp_path / "f.tif"),
+        OUTPUT_FOLDER=str(tmp_path / "all"),
+    )
+    assert cells(found["OUTPUT_FREQUENCY"]) == cells(tmp_path / "own" / "burn_frequency.tif")
+    assert Path(found["OUTPUT_SCORES"]).read_bytes() == (tmp_path / "own" / "scores.csv").read_bytes()
+    own = {path.name for path in (tmp_path / "own").iterdir() if not path.name.startswith(".")}
+    assert {path.name for path in (tmp_path / "all").iterdir()} == own
+
+
+def test_calibrate(layers, reference, tmp_path):
+    sizes = tmp_path / "sizes.csv"
+    days = [(3, 1), (8, 1), (15, 1), (40, 2), (90, 2), (200, 3), (30, 1), (60, 2), (12, 1), (150, 3)]
+    lines = [f"{ha},2020-07-{1 + i:02d},2020-07-{i + n:02d}" for i, (ha, n) in enumerate(days)]
+    sizes.write_text("\n".join(["ha,first,last", *lines]) + "\n", encoding="utf-8")
+    columns = {"size_column": "ha", "first_day_column": "first", "last_day_column": "last"}
+    words = [word for name, column in columns.items() for word in (f"--{name.replace('_', '-')}", column)]
+    runs = ("--weather", "rose:NW=5x1", "--runs", QUICK["N_RUNS"], "--fit", "duration", "--least", 1)
+    firebreak("calibrate", *runs, *words, "-o", tmp_path / "own.toml", reference / "landscape", sizes)
+    found = run(
+        "calibrate",
+        **layers,
+        **QUICK,
+        FIRES_FILE=str(sizes),
+        WEATHER="rose:NW=5x1",
+        FIT="duration",
+        LEAST=1,
+        **{name.upper(): column for name, column in columns.items()},
+        OUTPUT_CALIBRATION=str(tmp_path / "c.toml"),
+    )
+
+    def numbers(path):
+        return re.findall(r"^(?!#).*=.*$", Path(path).read_text(encoding="utf-8"), re.MULTILINE)
+
+    assert numbers(found["OUTPUT_CALIBRATION"]) == numbers(tmp_path / "own.toml") != []
+
+
+def test_a_folder_of_all_files_and_its_report(layers, tmp_path):
+    folder = tmp_path / "all files"
+    told = Told()
+    made = processing.run(
+        "firebreak:plan",
+        {
+            **layers,
+            **QUICK,
+            "METHOD": "degree",
+            "OUTPUT_FOLDER": str(folder),
+            "OUTPUT_REPORT": str(tmp_path / "first.html"),
+        },
+        feedback=told,
+    )
+    assert {"breaks.tif", "segments.gpkg", "report.html", "run.json", "breaks.qml"} <= {
+        p.name for p in folder.iterdir()
+    }
+    assert any("first.html" in text and "Results Viewer" in text for text in told.texts)
+    found = run("report", RUN_FOLDER=str(folder), OUTPUT_REPORT=str(folder / "anew.html"))
+    firebreak("report", "-o", folder / "own.html", folder)
+    assert Path(found["OUTPUT_REPORT"]).read_bytes() == (folder / "own.html").read_bytes()
+    assert Path(made["OUTPUT_REPORT"]).is_file()
+    kinds = {
+        o.name(): o.type()
+        for o in QgsApplication.processingRegistry().algorithmById("firebreak:plan").outputDefinitions()
+    }
+    assert kinds["OUTPUT_REPORT"] == "outputHtml", "so the Results Viewer opens it"
+
+
+@pytest.mark.parametrize("ending", ["geojson", "fgb", "shp"])
+def test_vector_outputs_in_the_format_chosen(ending, reference, tmp_path):
+    found = run(
+        "breaks",
+        INPUT_PRIORITY=str(reference / "priority.tif"),
+        BUDGET=0.08,
+        OUTPUT_BREAKS=str(tmp_path / "b.tif"),
+        OUTPUT_BREAK_POLYGONS=str(tmp_path / "new" / f"b.{ending}"),
+    )
+    usual, layer = (
+        QgsVectorLayer(str(path), "x", "ogr") for path in (reference / "breaks.gpkg", found["OUTPUT_BREAK_POLYGONS"])
+    )
+    assert layer.isValid()
+    assert layer.crs() == usual.crs()
+    areas = [sorted(round(f.geometry().area()) for f in one.getFeatures()) for one in (usual, layer)]
+    assert areas[0] == areas[1] != []
+
+
 def test_every_algorithm_has_a_test(provider):
     """Which are those that run it and compare with the command line."""
-    assert {a.name() for a in provider.algorithms()} == {
-        name
-        for name in ("align", "network", "rank", "breaks", "segments", "plan", "burn", "evaluate", "compare")
-        if f'run("{name}"' in Path(__file__).read_text(encoding="utf-8") or name == "plan"
-    }
+    text = Path(__file__).read_text(encoding="utf-8")
+    called = set(re.findall(r'\brun\(\s*"(\w+)"', text)) | set(re.findall(r'"firebreak:(\w+)",\s*{', text))
+    assert {a.name() for a in provider.algorithms()} <= called
+
+
+def test_every_name_of_qgis_exists():
+    """Dotted names of the plugin's code that start with a class of QGIS or Qt, looked up in this release."""
+    import ast
+
+    from qgis import core, gui
+    from qgis.PyQt import QtCore, QtGui, QtWidgets
+
+    places = {"qgis.core": core, "qgis.gui": gui}
+    places |= {f"qgis.PyQt.{m.__name__.rpartition('.')[2]}": m for m in (QtCore, QtGui, QtWidgets)}
+    seen = 0
+    for path in (ROOT / "qgis_plugin" / "firebreak").rglob("*.py"):
+        tree, known = ast.parse(path.read_text(encoding="utf-8")), {}
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ImportFrom) and node.module in places:
+                known |= {alias.name: getattr(places[node.module], alias.name) for alias in node.names}
+        for node in ast.walk(tree):
+            names, inner = [], node
+            while isinstance(inner, ast.Attribute):
+                names.insert(0, inner.attr)
+                inner = inner.value
+            if names and isinstance(inner, ast.Name) and inner.id in known:
+                value = known[inner.id]
+                for name in names:
+                    assert hasattr(value, name), f"{path.name}: {inner.id}.{'.'.join(names)}"
+                    value = getattr(value, name)
+                    seen += 1
+    assert seen > 20
 
 
 def test_plan(data, layers, reference, tmp_path):
@@ -372,7 +515,7 @@ def test_a_raster_in_the_memory_of_qgis(layers, reference, tmp_path):
 
 
 def test_refusals_are_told_in_the_engines_words(layers, tmp_path):
-    with pytest.raises(QgsProcessingException, match=r"(?s)budget.*1\.5|1\.5.*budget"):
+    with pytest.raises(QgsProcessingException, match=r"(?is)budget.*1\.5|1\.5.*budget"):
         run("plan", **layers, **QUICK, BUDGET=1.5, OUTPUT_BREAKS=str(tmp_path / "b.tif"))
     assert list(tmp_path.iterdir()) == []
 
@@ -429,12 +572,12 @@ def test_provider_and_forms(provider):
     assert not provider.icon().isNull()
     names = {a.name(): a for a in provider.algorithms()}
     titles = {a.group() for a in names.values()}
-    assert titles == {"Prepare", "Plan", "Fire", "Judge"}
+    assert titles == {"1 Prepare", "2 Rank and cut", "3 Burn", "4 Judge"}
     for algorithm in names.values():
         assert not algorithm.icon().isNull()
-        assert algorithm.groupId() in ("prepare", "plan", "fire", "judge")
+        assert algorithm.groupId() in ("prepare", "cut", "burn", "judge")
         page = algorithm.shortHelpString()
-        assert "<img" in page
+        assert ("<img" in page) == (algorithm.name() in PICTURED), algorithm.name()
         assert "example.org" not in algorithm.helpUrl(), "a placeholder"
         assert algorithm.tags()
         for definition in algorithm.parameterDefinitions():
@@ -442,13 +585,14 @@ def test_provider_and_forms(provider):
             default = definition.defaultValue()
             assert default is None or definition.checkValueIsAcceptable(default), definition.name()
         assert all(
-            d.defaultFileExtension() in ("tif", "gpkg", "csv", "png", "svg", "json", "html")
+            d.defaultFileExtension() in ("tif", "gpkg", "csv", "png", "svg", "json", "html", "toml")
             for d in algorithm.destinationParameterDefinitions()
+            if d.type() != "folderDestination"
         )
     advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
     folded = {d.name() for d in names["plan"].parameterDefinitions() if d.flags() & advanced}
-    assert {"CRS", "RESOLUTION", "BONACICH_BETA", "INPUT_COST", "INPUT_WIND_SPEED_RASTER"} <= folded
-    assert not {"INPUT_DEM", "INPUT_VEGETATION", "INPUT_DENSITY", "BUDGET", "METHOD", "N_RUNS", "SEED"} & folded
+    assert {"CRS", "RESOLUTION", "METHOD_PARAMS", "SEED", "INPUT_COST", "INPUT_WIND_SPEED_RASTER"} <= folded
+    assert not {"INPUT_DEM", "INPUT_VEGETATION", "INPUT_DENSITY", "BUDGET", "METHOD", "N_RUNS"} & folded
     method = names["plan"].parameterDefinition("METHOD")
     assert method.usesStaticStrings()
     assert "bonacich" in method.options()

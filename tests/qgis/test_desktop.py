@@ -71,13 +71,18 @@ def test_outputs_are_styled_and_in_order(layers, tmp_path):
     wait_until(lambda: len(project.layerTreeRoot().findLayers()) == 5, 5)
     for _ in range(20):
         QCoreApplication.processEvents()
-    sources = [Path(node.layer().source().partition("|")[0]).name for node in project.layerTreeRoot().children()]
+    (group,) = project.layerTreeRoot().children()
+    assert group.name() == "Plan fire breaks"
+    sources = [Path(node.layer().source().partition("|")[0]).name for node in group.children()]
     assert sources == ["s.gpkg", "b.gpkg", "a breaks.tif", "z frequency.tif", "m.tif"]
     found = {Path(layer.source().partition("|")[0]).name: layer for layer in project.mapLayers().values()}
     assert isinstance(found["a breaks.tif"].renderer(), QgsPalettedRasterRenderer)
     assert isinstance(found["z frequency.tif"].renderer(), QgsSingleBandPseudoColorRenderer)
     assert found["s.gpkg"].renderer().classAttribute() == "stage"
     assert found["s.gpkg"].labelsEnabled()
+    metadata = found["m.tif"].metadata()
+    assert metadata.title() == "Cutting priority"
+    assert "firebreak_gis" in metadata.history()[0]
     assert found["b.gpkg"].renderer().symbol().color().blue() > 200
     project.clear()
 
@@ -94,7 +99,7 @@ def test_a_refused_run_lets_its_layers_go(layers, tmp_path):
     QgsApplication.taskManager().addTask(task)
     wait_until(lambda: ended, 60)
     assert ended == [False]
-    assert "budget" in feedback.textLog()
+    assert "budget is 1.5" in feedback.textLog()
     del task, parameters, layer
     for _ in range(20):  # the task manager lets the task go
         QCoreApplication.processEvents()

@@ -29,7 +29,7 @@ STEP = 7
 @click.option(
     "--breaks",
     "mask",
-    type=kinds.VECTOR_OR_RASTER,
+    type=kinds.RASTER_OR_VECTOR,
     metavar="PATH",
     help="Cut cells: a raster (firebreak breaks), or own breaks as polygons or lines.",
 )

@@ -20,7 +20,7 @@ STEP = 6
 
 @click.command("segments")
 @click.argument("network", type=kinds.RASTER)
-@click.argument("mask", metavar="BREAKS", type=kinds.VECTOR_OR_RASTER)
+@click.argument("mask", metavar="BREAKS", type=kinds.RASTER_OR_VECTOR)
 @outputs.output_file("GeoPackage with the layers lines and polygons", kinds.NEW_LAYERS)
 @click.option(
     "--compartments",
