@@ -17,7 +17,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
-from tests.benchmarks import fires, linear, memory, paths, report, scaling, start
+from tests.benchmarks import centralities, fires, linear, memory, paths, report, scaling, start
 from tests.benchmarks.measuring import Comparison, Figure, Line, line_of
 
 Rows = Iterable[Comparison | Figure]
@@ -34,6 +34,7 @@ def _parts(*, quick: bool, huge: bool) -> Iterator[tuple[str, Callable[[], Rows]
         yield "paths", lambda: paths.rows(100)
     if huge:
         yield "paths", lambda: paths.networkx_rows(100)
+    yield "centralities", lambda: centralities.rows(30)
     yield "sampled", lambda: paths.sampled_rows(100 if quick else 1000)
     for side in (300,) if quick else (300, 1000, 3000) if huge else (300, 1000):
         yield "stencil", lambda side=side: linear.stencil_rows(side)
@@ -70,7 +71,8 @@ def main() -> None:
     parser.add_argument(
         "--only",
         action="append",
-        help="fires, paths, sampled, stencil, bonacich, start, whole, memory or scaling; may be given several times",
+        help="fires, paths, centralities, sampled, stencil, bonacich, start, whole, memory or scaling; may be given "
+        "several times",
     )
     parser.add_argument("--readme", type=Path, help="put the rows with a demand into this file")
     given = parser.parse_args()
