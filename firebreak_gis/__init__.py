@@ -14,6 +14,8 @@ __version__ = "0.2.0"
 
 if TYPE_CHECKING:
     from firebreak_gis.breaks import break_polygons, removal_order, select_breaks
+    from firebreak_gis.construction.compartments import compartments_of
+    from firebreak_gis.construction.segments import segments_of
     from firebreak_gis.errors import Cancelled, FirebreakError
     from firebreak_gis.evaluation.calibration import calibrate_scars, calibrate_sizes
     from firebreak_gis.evaluation.curves import evaluate
@@ -41,6 +43,7 @@ _HOMES = {
     "calibrate_scars": "evaluation.calibration",
     "calibrate_sizes": "evaluation.calibration",
     "Cancelled": "errors",
+    "compartments_of": "construction.compartments",
     "Embers": "simulation.embers",
     "evaluate": "evaluation.curves",
     "FirebreakError": "errors",
@@ -54,6 +57,7 @@ _HOMES = {
     "read_network": "spread.raster",
     "read_weather": "simulation.weather_reading",
     "removal_order": "breaks",
+    "segments_of": "construction.segments",
     "select_breaks": "breaks",
     "simulate": "simulation.fires",
     "simulate_distributed": "simulation.distributed",

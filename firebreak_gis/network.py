@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 Boundary = Literal["open", "periodic"]
 
 
-@dataclass(frozen=True, eq=False, init=False)
+@dataclass(frozen=True, eq=False, init=False, repr=False)
 class SpreadNetwork:
     """A directed network on a square grid; the one object that all rankings and simulations take.
 
@@ -118,6 +118,10 @@ class SpreadNetwork:
             ("heat", released),
         ):
             object.__setattr__(self, name, value)
+
+    def __repr__(self) -> str:
+        kind = ", periodic" * (self.boundary == "periodic") + ", with travel times" * self.timed
+        return f"<SpreadNetwork: {self.n_burnable} cells with fuel of {self.grid.describe()}{kind}>"
 
     @property
     def shape(self) -> tuple[int, int]:

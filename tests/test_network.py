@@ -451,3 +451,16 @@ def test_intensity_is_heat_times_rate_of_spread():
     assert network.intensity()[:, 1, 1] == pytest.approx(4_000, rel=2e-3)
     assert network.flame_length()[:, 1, 1] == pytest.approx(0.0775 * 4_000**0.46, rel=1e-3)
     assert network.intensity()[0, 0, 1] == 0
+
+
+def test_repr_is_one_short_line_that_tells_networks_apart():
+    grid = np.full((8, 30, 40), 0.5)
+    plain = SpreadNetwork(grid)
+    text = repr(plain)
+    assert len(text) < 200
+    assert "\n" not in text
+    assert f"{plain.n_burnable} cells" in text
+    assert "30 x 40" in text
+    assert "periodic" in repr(SpreadNetwork(grid, boundary="periodic"))
+    assert "travel times" in repr(SpreadNetwork(grid, travel_time=np.full(grid.shape, 60.0)))
+    assert "EPSG:32635" in repr(SpreadNetwork(grid, crs="EPSG:32635"))

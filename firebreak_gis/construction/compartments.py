@@ -68,6 +68,15 @@ def compartments_of(
     Notes
     -----
     Cost: linear in the cells. Lengths assume a CRS in metres.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> breaks = fb.select_breaks(fb.rank(network, budget=0.2), budget=0.2)
+    >>> labels, table = fb.compartments_of(network, breaks)
+    >>> int(table["cells"].sum() + breaks.sum()) == network.n_burnable
+    True
     """
     import geopandas as gpd
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -23,6 +23,19 @@ if TYPE_CHECKING:
     Plane = np.ndarray | xr.DataArray
 
 
+class Segments(NamedTuple):
+    """What is to be built, in order: one row a segment in both tables, with the same columns.
+
+    Attributes
+    ----------
+    lines, polygons
+        Middle lines and outlines.
+    """
+
+    lines: gpd.GeoDataFrame
+    polygons: gpd.GeoDataFrame
+
+
 def segments_of(
     network: SpreadNetwork,
     breaks: Plane,
@@ -32,7 +45,7 @@ def segments_of(
     cost: Plane | None = None,
     value: Plane | None = None,
     ignition: Plane | None = None,
-) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
+) -> Segments:
     """Take breaks apart into segments that each separate two compartments.
 
     Every cut cell is in exactly one segment. Cells between more than two compartments belong to the segment that is
@@ -96,6 +109,15 @@ def segments_of(
 
     Two pieces of break between the same compartments are two segments. On a torus lines end at the seam. Cost:
     linear in the cells; in the number of segments at most quadratic, with small factors.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> breaks = fb.select_breaks(fb.rank(network, budget=0.2), budget=0.2)
+    >>> built = fb.segments_of(network, breaks)
+    >>> bool(built.polygons["cells"].sum() == breaks.sum()), len(built.lines) == len(built.polygons)
+    (True, True)
     """
     cut = network.mask(breaks, "breaks")
     parts = split(network, cut, value=value, ignition=ignition)
@@ -297,7 +319,7 @@ def _holding(network: SpreadNetwork, owner: np.ndarray, order: np.ndarray, cut: 
 
 def _frames(
     network: SpreadNetwork, owner: np.ndarray, order: np.ndarray, columns: dict[str, np.ndarray], borders: Borders
-) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
+) -> Segments:
     """Lines and polygons of the segments in `order`, which `columns` follow."""
     import geopandas as gpd
 
@@ -331,7 +353,7 @@ def _frames(
     names += tuple(name for name in columns if name not in names)
     table = {"order": np.arange(1, order.size + 1), **columns, **sizes}
     table = {name: table[name] for name in names}
-    return (
+    return Segments(
         gpd.GeoDataFrame(table, geometry=lines, crs=grid.crs),
         gpd.GeoDataFrame(table, geometry=outlined, crs=grid.crs),
     )

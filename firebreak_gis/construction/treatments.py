@@ -27,6 +27,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from firebreak_gis.construction.segments import Segments
 from firebreak_gis.errors import InputError
 from firebreak_gis.kernels.terrain import horn_slope
 from firebreak_gis.schema import VEGETATION
@@ -176,9 +177,7 @@ def choose(cost: np.ndarray, saving: np.ndarray, target: float) -> np.ndarray:
     return min(choices, key=lambda chosen: float(cost[every, chosen].sum()))
 
 
-def with_treatments(
-    frames: tuple[gpd.GeoDataFrame, gpd.GeoDataFrame], landscape: xr.Dataset, treatments: Treatments
-) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
+def with_treatments(frames: Segments, landscape: xr.Dataset, treatments: Treatments) -> Segments:
     """Add a treatment to each segment: together they save as much as the best single one, for as little as possible.
 
     The best single treatment saves most for its yearly cost; where it is not allowed, the cheapest that is.
@@ -214,7 +213,7 @@ def with_treatments(
         "treatment_yearly": yearly[every, pick],
         "treatment_saving": saving[every, pick],
     }
-    return lines.assign(**columns), polygons.assign(**columns)
+    return Segments(lines.assign(**columns), polygons.assign(**columns))
 
 
 def totals(polygons: gpd.GeoDataFrame) -> dict[str, dict[str, float]]:

@@ -1,4 +1,4 @@
-"""A plan as files: one table. To add an output of a plan, add an `Output` to it, and a row to the README's table."""
+"""A plan as files: one table. A new output of a plan is an `Output` in it, and a row in docs/commands-and-files.md."""
 
 from __future__ import annotations
 

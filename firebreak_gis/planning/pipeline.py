@@ -11,7 +11,7 @@ import numpy as np
 
 from firebreak_gis.breaks import BudgetUnit, break_polygons, select_breaks
 from firebreak_gis.construction.compartments import compartments_of
-from firebreak_gis.construction.segments import segments_of
+from firebreak_gis.construction.segments import Segments, segments_of
 from firebreak_gis.construction.treatments import with_treatments
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.curves import evaluate_fires
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 BASELINES = ("random", "flammability")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Plan:
     """A plan of fire breaks and what it saves.
 
@@ -92,6 +92,9 @@ class Plan:
     share: float
     feasibility: Feasibility
 
+    def __repr__(self) -> str:
+        return f"<Plan by {self.request.design.method}: cuts {self.share:.3g} of the fuel of {self.network!r}>"
+
     @property
     def parameters(self) -> dict[str, Any]:
         """What was asked for, as plain data for an account of the plan."""
@@ -122,7 +125,7 @@ class Plan:
         return break_polygons(self.breaks, self.priority)
 
     @property
-    def segments(self) -> tuple[gpd.GeoDataFrame, gpd.GeoDataFrame]:
+    def segments(self) -> Segments:
         """Middle lines and outlines of what is to be built, in order, see `segments.segments`."""
         found = segments_of(
             self.network,

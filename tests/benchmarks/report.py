@@ -1,4 +1,4 @@
-"""The table and the picture, as files and as the section of the README."""
+"""The table and the picture, as files and as a section of docs/speed.md."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def picture(costs: list[Cost], path: Path) -> None:
 
 
 def put_into(readme: Path, lines: list[Line], folder: Path, command: str) -> None:
-    """Replace the section between the marks in the README: rows with a demand, command, machine and day."""
+    """Replace the section between the marks in a page (docs/speed.md): rows with a demand, command, machine and day."""
     text = readme.read_text(encoding="utf-8")
     before, rest = text.split(BEGIN, 1)
     _, after = rest.split(END, 1)
@@ -110,5 +110,5 @@ def put_into(readme: Path, lines: list[Line], folder: Path, command: str) -> Non
     section = f"{table(shown)}\n\n![Cost against cells on one thread]({place}/{_PICTURE})\n\n"
     if memory:
         section += f"Peak memory in bytes a cell, what goes in included: {', '.join(memory)}.\n\n"
-    section += f"All rows: [table.md]({place}/table.md). Made by `{command}` on {machine()}.\n"
+    section += f"All rows: `{place.removeprefix('../')}/table.md`. Made by `{command}` on {machine()}.\n"
     readme.write_text(f"{before}{BEGIN}\n{section}{END}{after}", encoding="utf-8")

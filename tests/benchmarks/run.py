@@ -74,7 +74,7 @@ def main() -> None:
         help="fires, paths, centralities, sampled, stencil, bonacich, start, whole, memory or scaling; may be given "
         "several times",
     )
-    parser.add_argument("--readme", type=Path, help="put the rows with a demand into this file")
+    parser.add_argument("--readme", type=Path, help="put the rows with a demand into this file (docs/speed.md)")
     given = parser.parse_args()
     began = time.perf_counter()
     lines: list[Line] = []

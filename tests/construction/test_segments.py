@@ -12,6 +12,7 @@ import shapely
 from affine import Affine
 from rasterio.features import rasterize
 
+import firebreak_gis as fb
 from firebreak_gis.breaks import select_breaks
 from firebreak_gis.construction.centrelines import find_borders
 from firebreak_gis.construction.compartments import compartments_of
@@ -449,3 +450,14 @@ def test_segments_tell_what_they_must_stop_where_the_network_has_times_and_heat(
         needed = row["width_wilson_m"]
         assert math.exp(1.36 + 0.00036 * intensity - b * needed) == pytest.approx(0.05 / 0.95, rel=1e-4)
         assert row["width_flames_m"] == pytest.approx(1.5 * row["flame_length_m"])
+
+
+def test_segments_are_found_by_name_and_still_unpack():
+    network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    breaks = fb.select_breaks(fb.rank(network, budget=0.2), budget=0.2)
+    built = segments_of(network, breaks)
+    lines, polygons = built
+    assert lines is built.lines
+    assert polygons is built.polygons
+    assert set(lines.geom_type) <= {"LineString", "MultiLineString"}
+    assert set(polygons.geom_type) <= {"Polygon", "MultiPolygon"}

@@ -1,4 +1,4 @@
-"""What the README says is run as it stands there."""
+"""What the README and the pages it leads to say is run as it stands there."""
 
 import configparser
 import json
@@ -13,13 +13,27 @@ from firebreak_gis.cli import firebreak
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+DOCS = {path.name: path.read_text(encoding="utf-8") for path in sorted((ROOT / "docs").glob("*.md"))}
 
 
 def block(mark: str) -> str:
-    """The fenced block under a mark."""
-    found = re.search(rf"<!-- {mark} -->\n```\w+\n(.*?)```", README, re.DOTALL)
-    assert found, f"the README has no block {mark!r}"
-    return found[1]
+    """The fenced block under a mark, which stands once, in the README or in a page."""
+    pattern = re.compile(rf"<!-- {mark} -->\n```\w+\n(.*?)```", re.DOTALL)
+    found = [match for text in (README, *DOCS.values()) for match in pattern.findall(text)]
+    assert len(found) == 1, f"{len(found)} blocks {mark!r} in the README and docs/, expected one"
+    return str(found[0])
+
+
+def test_readme_is_short():
+    assert README.count("\n") < 150
+
+
+def test_readme_leads_to_the_pages():
+    """Straight, or by way of the index."""
+    index = DOCS["index.md"]
+    for page in DOCS.keys() - {"index.md"}:
+        assert f"docs/{page}" in README or f"\n{page.removesuffix('.md')}\n" in index, page
+    assert README.count("](docs/") >= 10
 
 
 @pytest.fixture
@@ -83,7 +97,7 @@ def test_the_map_names_every_module_and_package_once_from_the_top_down():
     package = ROOT / "firebreak_gis"
     files = {p.stem for p in package.glob("*.py")} - {"__init__", "__main__"}
     folders = {f"{p.parent.name}/" for p in package.glob("*/__init__.py")}
-    inside = README.split("    firebreak_gis/\n")[1].split("    qgis_plugin/")[0]
+    inside = DOCS["map.md"].split("\nfirebreak_gis/\n")[1].split("\nqgis_plugin/")[0]
     lines = [line.split(maxsplit=1) for line in inside.splitlines()]
     assert all(len(line) == 2 for line in lines)
     named = [name for name, _ in lines]
@@ -100,7 +114,7 @@ def test_table_of_outputs_names_what_plan_writes():
     from firebreak_gis.files.outputs import names
     from firebreak_gis.planning.outputs import OUTPUTS
 
-    table = README.split("writes into the folder (")[1].split("Every raster is")[0]
+    table = DOCS["commands-and-files.md"].split("writes into the folder (")[1].split("Every raster is")[0]
     named = set(re.findall(r"`([\w.]+\.(?:tif|gpkg|csv|png|json))`", table))
     assert len(named) > 10
     assert named <= set(names(OUTPUTS))
