@@ -222,10 +222,12 @@ sys.path.insert(0, {str(copy / "qgis_plugin")!r})
 from firebreak.manifest import descriptions
 for one in descriptions():
     if one.form.name in ("plan", "compare"):
-        print(one.form.name, *[f.name for f in one.fields], *[o.name for o in one.outputs])
+        words = [m["name"] + ":" + p["name"] for m in one.methods for p in m["parameters"]]
+        print(one.form.name, *[f.name for f in one.fields], *[o.name for o in one.outputs], *words)
 """
     lines = {line.split()[0]: set(line.split()) for line in run("-c", code).splitlines()}
-    assert {"COST_FACTOR", "READINESS_EXPONENT", "UNIFORM_CHANCE", "OUTPUT_COMPARTMENT_TABLE"} <= lines["plan"]
+    assert {"COST_FACTOR", "METHOD_PARAMS", "OUTPUT_COMPARTMENT_TABLE"} <= lines["plan"]
+    assert {"readiness:exponent", "uniform:chance"} <= lines["plan"], "the help of the form lists them"
     assert "COST_FACTOR" in lines["compare"]
 
 
