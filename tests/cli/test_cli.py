@@ -56,6 +56,7 @@ def plan(tmp_path_factory):
         "60",
         "--seed",
         "3",
+        "--timeless",
         *COARSE,
     )
     return folder
