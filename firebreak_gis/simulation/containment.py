@@ -45,8 +45,8 @@ class Containment:
 
     Examples
     --------
-    >>> as_containment("attack:lognormal:1h,0.5;size=10").told()
-    'direct attack after lognormal, median 1 h, sigma 0.5; fails beyond 10 ha, or 1 ha above 4000 kW/m (assumed)'
+    >>> as_containment("attack:1h;size=10").told()
+    'direct attack after 1 h; fails beyond 10 ha, or 1 ha above 4000 kW/m (assumed)'
     """
 
     time: Duration = field(default_factory=lambda: Duration("fixed", (math.inf,)))
