@@ -21,6 +21,8 @@ exclude_patterns = ["_build", "README.md"]
 html_theme = "furo"
 html_title = f"firebreak_gis {release}"
 html_show_copyright = False
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
 nitpicky = True
 smartquotes = False  # options begin with two hyphens
 

@@ -87,11 +87,12 @@ def _name(parameter: Tree) -> str:
 
 
 def _default(parameter: Tree) -> str:
-    if parameter.get("required"):
-        return "required"
-    choices = " \\| ".join(_cell(c) for c in parameter.get("choices", []))
-    default = _cell(parameter["default"]) if "default" in parameter else ""
-    return f"{default}; one of {choices}" if choices and default else choices or default
+    return "required" if parameter.get("required") else _cell(parameter.get("default", ""))
+
+
+def _what(parameter: Tree) -> str:
+    choices = ", ".join(f"`{choice}`" for choice in parameter.get("choices", []))
+    return _cell(parameter.get("help", "")) + (f" One of {choices}." if choices else "")
 
 
 def _methods(kinds: Tree) -> str:

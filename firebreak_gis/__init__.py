@@ -22,9 +22,11 @@ if TYPE_CHECKING:
     from firebreak_gis.evaluation.forecasting import validate
     from firebreak_gis.landscape import read_landscape
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.planning.comparison import compare
     from firebreak_gis.planning.design import rank
     from firebreak_gis.planning.pipeline import plan
     from firebreak_gis.rasters import write_raster
+    from firebreak_gis.report.plotting import plot
     from firebreak_gis.simulation.distributed import simulate_distributed
     from firebreak_gis.simulation.embers import Embers
     from firebreak_gis.simulation.fires import burn_curve, simulate
@@ -43,6 +45,7 @@ _HOMES = {
     "calibrate_scars": "evaluation.calibration",
     "calibrate_sizes": "evaluation.calibration",
     "Cancelled": "errors",
+    "compare": "planning.comparison",
     "compartments_of": "construction.compartments",
     "Embers": "simulation.embers",
     "evaluate": "evaluation.curves",
@@ -51,6 +54,7 @@ _HOMES = {
     "ignition_places": "simulation.ignitions",
     "Hold": "simulation.holding",
     "plan": "planning.pipeline",
+    "plot": "report.plotting",
     "Products": "simulation.products",
     "rank": "planning.design",
     "read_landscape": "landscape",
