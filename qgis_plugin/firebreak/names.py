@@ -8,9 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 #: Options that the plugin sets itself or that mean nothing in a form.
-HIDDEN = frozenset(
-    {"output", "overwrite", "as_json", "progress_mode", "verbose", "quiet", "dry_run", "folder", "config"}
-)
+HIDDEN = frozenset({"output", "overwrite", "as_json", "progress_mode", "verbose", "quiet", "dry_run", "folder"})
 
 #: Options that a form leaves out: that of burn takes a network, which was made for one model and one wind.
 LEFT_OUT: Mapping[str, tuple[str, ...]] = {
@@ -62,7 +60,7 @@ FILES: Mapping[str, tuple[str, str]] = {
     "segments": ("segments.gpkg", "Segments to build, in order"),
     "siting": ("suitability.tif", "Where a line can be held"),
     "report": ("report.html", "The run on one page"),
-    "calibrate": ("calibration.toml", "Configuration for every command"),
+    "calibrate": ("calibration.toml", "Calibration, which other forms take"),
 }
 
 #: Parameters of methods that an option of the same meaning sets; the help leaves them out.

@@ -472,6 +472,13 @@ def test_what_is_left_at_its_default_is_left_to_the_engine():
     assert [word for word in words if word.startswith("-")] == ["-o", "--"]
 
 
+def test_a_calibration_counts_where_the_form_was_left_as_it_is():
+    words = _plan(CONFIG="fitted.toml", N_RUNS=7)
+    assert _option(words, "--config") == ["fitted.toml"]
+    assert _option(words, "--runs") == ["7"]
+    assert "--duration" not in words
+
+
 def test_a_file_wins_over_the_default_choice():
     assert _option(_plan(LEGEND_FILE="mine.csv"), "--legend") == ["mine.csv"]
     assert _option(_plan(LEGEND="corine"), "--legend") == ["corine"]
