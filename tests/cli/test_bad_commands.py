@@ -191,7 +191,7 @@ def test_a_dry_run_tells_what_the_run_will_do(place):
     told = json.loads(outcome.stdout)["result"]
     assert listing(place) == before
     assert told["cells"] == 16 * 20
-    assert told["memory_bytes"] == memory.bytes_for("plan", 320, method="random")
+    assert told["memory_bytes"] == memory.bytes_for("plan", 320, method="random", clock=True)
     assert told["memory_limit_bytes"] == memory.allowed()
     shown = call(*words, "--dry-run").output
     assert "nothing was written" in shown

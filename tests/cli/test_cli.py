@@ -351,7 +351,7 @@ def test_lists_and_descriptions():
         (["plan", *LAYERS, "--budget", "nan"], 2, "from 0 to 1"),
         (["plan", *LAYERS, "--method", "nothing"], 2, "there are: "),
         (["plan", *LAYERS, "-p", "beta"], 2, "NAME=VALUE"),
-        (["plan", *LAYERS, "--method", "bonacich", "-p", "beta=1"], 2, "less than 1"),
+        (["plan", *LAYERS, "--method", "bonacich", "-p", "beta=1.01"], 2, "at most 1"),
         (["plan", *LAYERS, "-p", "gamma=1"], 2, "gamma"),
         (["plan", *LAYERS, "--runs", "0"], 2, "at least 1"),
         (["plan", *LAYERS, "--seed", "-1"], 2, "at least 0"),

@@ -332,7 +332,7 @@ def test_reproduce_the_artificial_forest(tmp_path):
 def test_reproduce_on_the_sample_landscape(tmp_path):
     run("reproduce", "landscape", "-o", tmp_path / "out", "--res", "120", "--runs", "10", "-q")
     names = {f"figure_{k}.png" for k in (3, 4, 5, 6)} | {"evaluation.csv", "cut_cells.csv", "run.json"}
-    names |= {"figure_4a.tif", "figure_4a.qml"}
+    names |= {"figure_4a.tif", "figure_4a.qml", "class_shares.csv", "class_shares.png"}
     assert {p.name for p in (tmp_path / "out").iterdir()} == names
     cut = pd.read_csv(tmp_path / "out/cut_cells.csv")
     np.testing.assert_allclose(cut[["sparse", "normal", "dense"]].sum(axis=1), 1)

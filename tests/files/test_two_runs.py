@@ -171,7 +171,6 @@ SAME_IN_FOLDER = {
         ["plan", *LAYERS, "--legend", "own.csv", "--runs", "5", "--method", "random"],
         "own.csv",
         "evaluation.csv",
-        "evaluation_runs.csv",
     ),
     "plan, virtual": (
         ["plan", "virtual.vrt", *LAYERS[1:], "--runs", "5", "--method", "random"],
