@@ -346,3 +346,11 @@ def test_class_shares_of_the_cut_cells_stand_beside_those_of_random_cutting(make
                 assert shares[layer][name]["cut"] == pytest.approx((codes[cut] == code).mean())
                 assert shares[layer][name]["random"] == pytest.approx((codes[fuel] == code).mean())
     assert shares["density"]["dense"]["cut"] > shares["density"]["dense"]["random"]
+
+
+def test_repr_is_one_short_line_and_segments_have_names(result):
+    text = repr(result)
+    assert len(text) < 250
+    assert "\n" not in text
+    assert result.request.design.method in text
+    assert len(result.segments.lines) == len(result.segments.polygons) > 0
