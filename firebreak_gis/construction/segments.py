@@ -11,7 +11,6 @@ from firebreak_gis.construction.centrelines import Borders, draw_lines, find_bor
 from firebreak_gis.construction.compartments import Compartments, split, weights
 from firebreak_gis.construction.sequence import construction_order, gains
 from firebreak_gis.grid import outlines
-from firebreak_gis.kernels.terrain import horn_slope
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 
 if TYPE_CHECKING:
@@ -268,6 +267,8 @@ def _slope(network: SpreadNetwork, elevation: Plane | None) -> np.ndarray:
     """Slope of the terrain by Horn [degrees], (rows, cols); NaN where unknown."""
     if elevation is None:
         return np.full(network.shape, np.nan)
+    from firebreak_gis.kernels.terrain import horn_slope
+
     return horn_slope(network.plane(elevation, "elevation").astype(np.float64), network.grid.cell_size)
 
 

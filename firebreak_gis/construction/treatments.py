@@ -29,7 +29,6 @@ import numpy as np
 
 from firebreak_gis.construction.segments import Segments
 from firebreak_gis.errors import InputError
-from firebreak_gis.kernels.terrain import horn_slope
 from firebreak_gis.schema import VEGETATION
 
 if TYPE_CHECKING:
@@ -247,6 +246,7 @@ def _options(
     from rasterio.features import rasterize
 
     from firebreak_gis.grid import Grid
+    from firebreak_gis.kernels.terrain import horn_slope
 
     grid = Grid.of(landscape["vegetation"])
     n, shape = len(polygons), landscape["vegetation"].shape

@@ -126,12 +126,14 @@ def suitability(
     >>> np.flatnonzero(found[15] == found[15].max())
     array([19, 20, 21])
     """
+    from firebreak_gis.kernels.terrain import horn_slope
+
     chosen = siting or Siting()
     planes: dict[str, tuple[float, np.ndarray]] = {}
     if elevation is not None:
         height = np.asarray(elevation, dtype=np.float64)
         planes["landform"] = (chosen.ridge, _landform(height, cell_size, chosen))
-        steepness = np.degrees(np.arctan(_horn(height, cell_size)))
+        steepness = horn_slope(height, cell_size)
         machine = np.clip((chosen.steep - steepness) / (chosen.steep - chosen.gentle), 0.0, 1.0)
         planes["slope"] = (chosen.slope, np.where(np.isnan(machine), 0.0, machine))
     if roads is not None and roads.any():
@@ -292,11 +294,3 @@ def _smooth(values: np.ndarray, sigma: float) -> np.ndarray:
     weight = gaussian_filter(known.astype(np.float64), sigma, mode="constant", truncate=3.0)
     total = gaussian_filter(np.where(known, values, 0.0), sigma, mode="constant", truncate=3.0)
     return np.asarray(np.where(weight > 1e-9, total / np.maximum(weight, 1e-9), np.nan))
-
-
-def _horn(height: np.ndarray, cell_size: float) -> np.ndarray:
-    """Rise over run by the eight neighbours (Horn 1981, doi 10.1109/PROC.1981.11918)."""
-    z = np.pad(height, 1, mode="edge")
-    east = z[:-2, 2:] + 2 * z[1:-1, 2:] + z[2:, 2:] - z[:-2, :-2] - 2 * z[1:-1, :-2] - z[2:, :-2]
-    south = z[2:, :-2] + 2 * z[2:, 1:-1] + z[2:, 2:] - z[:-2, :-2] - 2 * z[:-2, 1:-1] - z[:-2, 2:]
-    return np.asarray(np.hypot(east, south) / (8.0 * cell_size))

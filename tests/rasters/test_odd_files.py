@@ -51,6 +51,7 @@ COLOURS = Refused(InputError, "has a colour table")
 SEVERAL = Refused(InputError, "holds several rasters, choose one by its full name")
 ELSEWHERE = Refused(InputError, "which is no file")
 BANDS = Refused(InputError, "bands; choose one by its number")
+ASKED = Refused(InputError, "looks like a void or a collar")
 TOO_FEW = Refused(GridError, "only 2 x 2 cells", named=False)
 TOO_WIDE = Refused(CRSError, "spans 350 degrees of longitude", named=False)
 
@@ -102,7 +103,7 @@ ODD = {
     "rasterio__test_esri_wkt.tif": TOO_FEW,
     "rasterio__white-gemini-iv.vrt": ELSEWHERE,
     "riotiler__201404_13SED190110_201404_0x1500m_CL_1_extmask.tif.msk": NOWHERE,
-    "riotiler__clp.tif": of(Right(copied=False), UNLISTED),
+    "riotiler__clp.tif": of(ASKED, UNLISTED),
     "riotiler__cog_gradient.tif": TOO_WIDE,
     "riotiler__cog_rgb.tif": PICTURE,
     "riotiler__cog_uint8_rgb_mask.tif": PICTURE,
@@ -128,6 +129,9 @@ PLACED = {
     **{name: Right() for name, outcome in ODD.items() if outcome is NOWHERE},
     "imagetiff__gradient-1c-64b-float.tiff": Refused(GridError, "only 1 x 256 cells", named=False),
     "imagetiff__int16.tif": Right(lowest=LOWEST_LAND),
+    # Masks of 0 and 255: as terrain they have cliffs all round.
+    "rasterio__RGB2.byte.tif.msk": ASKED,
+    "riotiler__201404_13SED190110_201404_0x1500m_CL_1_extmask.tif.msk": ASKED,
     "libtiffpic__flower-minisblack-24.tif": Refused(InputError, "has elevations from 526344 to 1.67772e+07 m"),
 }
 
