@@ -43,7 +43,12 @@ GIVEN = {
     "run": "compared",
 }
 #: What the same name means elsewhere.
-OWN = {"calibrate": {"folder": "cases.csv"}, "burn": {"duration": "inf"}}
+OWN = {
+    "calibrate": {"folder": "cases.csv"},
+    "burn": {"duration": "inf"},
+    "compare": {"duration": "inf"},
+    "evaluate": {"duration": "inf"},
+}
 
 
 def walk(group, before=()):

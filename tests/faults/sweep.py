@@ -30,9 +30,9 @@ def attempt(kind, folder, overwrite):
     return None
 
 
-def faults(shim, kind, folder, codes, old, new):
-    """Yield findings for every n until a run does not meet the fault; last the number of its calls."""
-    for n in itertools.count(1):
+def faults(shim, kind, folder, codes, old, new, step):
+    """Yield findings for every `step`-th n until a run does not meet the fault; last the number of its calls."""
+    for n in itertools.count(1, step):
         code = codes[n % len(codes)]
         put_back(folder, old)
         error = crash = None
@@ -56,7 +56,7 @@ def faults(shim, kind, folder, codes, old, new):
                 yield f"{where}: {error} without a fault"
             yield n - 1
             return
-        if left_over(folder) or n % 8 == 0:
+        if left_over(folder) or n % (8 * step) == 1:
             yield from _next_run(kind, folder, new, where)
 
 
@@ -101,11 +101,11 @@ def main():
     writers.prepare(kind, folder)
     old, new = writers.contents(kind, folder)
     findings, calls = [], []
-    # Where writing takes long the kind of fault changes from call to call.
+    # Where writing takes long every fourth call is broken, and the kind of fault changes from one to the next.
     whole = kind in writers.LONG
     for codes in [CODES] if whole else [(code,) for code in CODES]:
         for before in [old] if whole else [{}, old]:
-            *wrong, count = faults(shim, kind, folder, codes, before, new)
+            *wrong, count = faults(shim, kind, folder, codes, before, new, 4 if whole else 1)
             findings += wrong
             calls.append(count)
     *wrong, count = kills(shim, kind, folder, old, new, _some(calls[-1]) if whole else itertools.count(1))
