@@ -27,7 +27,7 @@ from firebreak_gis.files.request import OutputRequest
     callback=kinds.pairs,
     multiple=True,
     metavar="NAME=VALUE",
-    help="Weight or reach of a factor, such as ridge=2 or road_reach=60; may be repeated (see the documentation).",
+    help="Weight or reach of a factor, such as ridge=2 or road_reach=60; may be repeated.",
 )
 @options.common
 @built(output=OutputRequest)
@@ -43,7 +43,7 @@ def command(
 
     The suitability, from 0 to 1, is the weighted mean of landform (ridges and valley bottoms at several scales), slope
     for machines, roads, rivers, edges of the fuel, and access. The weights have no source for your region: they are
-    parameters. Plans take it with --siting.
+    parameters. From Python, `Stakes(difficulty=...)` lets walls keep to good ground.
     """
     from firebreak_gis.files import require_writable
     from firebreak_gis.grid import Grid
