@@ -6,12 +6,9 @@ import numpy as np
 
 from firebreak_gis.kernels.centrality import Searches, without_rim
 from firebreak_gis.kernels.draws import stream_key, uniforms
-from firebreak_gis.kernels.paths import UNREACHED, Lattice, Workspace, count_paths, lattice, search
+from firebreak_gis.kernels.paths import FULL, LOWEST, UNREACHED, Lattice, Workspace, count_paths, lattice, search
 from firebreak_gis.kernels.policy import kernel
 from firebreak_gis.progress import Progress, silent
-
-_FULL = 2.0**512
-_LOWEST = np.array([0] + [(b & -b).bit_length() - 1 for b in range(1, 256)], dtype=np.uint8)
 
 
 def uncovered(
@@ -114,7 +111,7 @@ def _uncovered_batch(
             share = 0.0
             bits = came_from[cell]
             while bits != 0 and group[cell] == 0:
-                before = cell - offset[_LOWEST[bits]]
+                before = cell - offset[LOWEST[bits]]
                 if periodic:
                     before = np.uint64(home[before])
                 share += past[before] * _ratio(paths[before], exponent[before], paths[cell], exponent[cell])
@@ -129,7 +126,7 @@ def _uncovered_batch(
             total[cell] += past[cell] * behind
             bits = came_from[cell]
             while bits != 0:
-                before = cell - offset[_LOWEST[bits]]
+                before = cell - offset[LOWEST[bits]]
                 if periodic:
                     before = np.uint64(home[before])
                 dependency[before] += _ratio(paths[before], exponent[before], paths[cell], exponent[cell]) * (
@@ -145,4 +142,4 @@ def _ratio(paths: float, exponent: int, of_paths: float, of_exponent: int) -> fl
     behind = of_exponent - exponent
     if behind <= 0:
         return paths / of_paths
-    return paths / _FULL / of_paths if behind == 1 else 0.0
+    return paths / FULL / of_paths if behind == 1 else 0.0

@@ -31,11 +31,11 @@ _LONGEST = 2.0**56
 #: Most buckets in the ring.
 _RING = 1 << 12
 #: Path counts are kept below this; the excess goes to an exponent.
-_FULL = 2.0**512
+FULL = 2.0**512
 _NONE = np.uint32(0xFFFFFFFF)
 _ZERO, _ONE = np.uint64(0), np.uint64(1)
 #: Lowest set bit of a byte.
-_LOWEST = np.array([0] + [(b & -b).bit_length() - 1 for b in range(1, 256)], dtype=np.uint8)
+LOWEST = np.array([0] + [(b & -b).bit_length() - 1 for b in range(1, 256)], dtype=np.uint8)
 
 
 @dataclass(frozen=True)
@@ -307,20 +307,20 @@ def count_paths(
         total, power = 0.0, np.int16(0)
         bits = came_from[cell]
         while bits != 0:
-            before = cell - offset[_LOWEST[bits]]
+            before = cell - offset[LOWEST[bits]]
             if periodic:
                 before = np.uint64(home[before])
             ahead = exponent[before] - power
             if ahead == 0:
                 total += paths[before]
             elif ahead > 0:
-                total = paths[before] + (total / _FULL if ahead == 1 else 0.0)
+                total = paths[before] + (total / FULL if ahead == 1 else 0.0)
                 power = exponent[before]
             elif ahead == -1:
-                total += paths[before] / _FULL
+                total += paths[before] / FULL
             bits &= bits - np.uint8(1)
-        if total >= _FULL:
-            total /= _FULL
+        if total >= FULL:
+            total /= FULL
             power += np.int16(1)
         paths[cell], exponent[cell] = total, power
 
@@ -348,13 +348,13 @@ def add_dependencies(
         per_path = (1.0 + passing) / paths[cell]
         bits = came_from[cell]
         while bits != 0:
-            before = cell - offset[_LOWEST[bits]]
+            before = cell - offset[LOWEST[bits]]
             if periodic:
                 before = np.uint64(home[before])
             n_paths = paths[before]
             behind = exponent[cell] - exponent[before]
             if behind > 0:
-                n_paths = n_paths / _FULL if behind == 1 else 0.0
+                n_paths = n_paths / FULL if behind == 1 else 0.0
             dependency[before] += n_paths * per_path
             bits &= bits - np.uint8(1)
     dependency[order[0]] = 0.0
@@ -378,7 +378,7 @@ def add_tree_dependencies(
         passing = dependency[cell]
         dependency[cell] = 0.0
         total[cell] += weight * passing
-        before = cell - offset[_LOWEST[came_from[cell]]]
+        before = cell - offset[LOWEST[came_from[cell]]]
         if periodic:
             before = np.uint64(home[before])
         dependency[before] += 1.0 + passing

@@ -193,9 +193,9 @@ def throughput(circuit: Circuit, *, progress: Progress = silent) -> np.ndarray:
             ahead = range(max(missing) + 1, min(max(missing) + 1 + _TOGETHER, n_cells))
             wanted = np.array(sorted({*missing, *(c for c in ahead if c not in known)}))
             known.update(zip(wanted.tolist(), circuit.rows(wanted), strict=True))
+        same = circuit.part == circuit.part[cell]
         for edge in mine.tolist():
             other = int(circuit.second[edge])
-            same = circuit.part == circuit.part[cell]
             drops = np.sort(circuit.conductance[edge] * (known[cell] - known[other])[same])
             m = drops.size
             flow = float((weight[:m] + (n_cells - m)) @ drops)  # sum over pairs of |difference|

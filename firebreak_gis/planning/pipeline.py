@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -124,7 +124,7 @@ class Plan:
         """Connected pieces of the breaks, see `break_polygons`."""
         return break_polygons(self.breaks, self.priority)
 
-    @property
+    @cached_property
     def segments(self) -> Segments:
         """Middle lines and outlines of what is to be built, in order, see `segments.segments`."""
         found = segments_of(
@@ -139,7 +139,7 @@ class Plan:
         table = self.request.design.treatments
         return found if table is None else with_treatments(found, self.landscape, table)
 
-    @property
+    @cached_property
     def compartments(self) -> gpd.GeoDataFrame:
         """The fuel between the breaks and what it has to lose, see `compartments.compartments`."""
         return compartments_of(
@@ -176,7 +176,7 @@ class Plan:
         """
         return class_shares(self.landscape, self.breaks.to_numpy() > 0, self.network.burnable)
 
-    @property
+    @cached_property
     def summary(self) -> dict[str, Any]:
         """Key figures as plain numbers."""
         n_burnable = self.network.n_burnable
