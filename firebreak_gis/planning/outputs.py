@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-    from firebreak_gis.planning.pipeline import Plan
+    from firebreak_gis.planning.made import Plan
 
 
 def _raster(name: str, label: str, get: Callable[[Plan], xr.DataArray], *, main: bool = False) -> Output[Plan]:

@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import BudgetUnit, break_polygons, select_breaks
-from firebreak_gis.construction.compartments import compartments_of
-from firebreak_gis.construction.segments import Segments, segments_of
-from firebreak_gis.construction.treatments import with_treatments
-from firebreak_gis.evaluation.classes import class_shares
+from firebreak_gis.breaks import BudgetUnit, select_breaks
 from firebreak_gis.evaluation.curves import evaluate_fires
-from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.planning.budgets import default_budgets, few_budgets, reachable
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
-from firebreak_gis.planning.judging import Judging, Scene, headline
+from firebreak_gis.planning.judging import Scene
+from firebreak_gis.planning.made import Plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.progress import Progress, part
@@ -32,193 +28,15 @@ from firebreak_gis.simulation.fires import burn, resolved
 from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.ignitions import Ignitions
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode, Outside
-from firebreak_gis.stakes import StakePlanes, Stakes
+from firebreak_gis.stakes import StakePlanes
 
 if TYPE_CHECKING:
-    import geopandas as gpd
-    import pandas as pd
     import xarray as xr
-
-    from firebreak_gis.network import SpreadNetwork
 
     Plane = np.ndarray | xr.DataArray
 
 #: Rankings that every plan is judged against.
 BASELINES = ("random", "flammability")
-
-
-@dataclass(frozen=True, repr=False)
-class Plan:
-    """A plan of fire breaks and what it saves.
-
-    Parameters
-    ----------
-    landscape
-        `elevation`, `vegetation`, `density`, `burnable` (y, x).
-    network
-        The spread network before cutting, existing barriers in it.
-    stakes
-        Costs, protected cells, values at risk and ignitions.
-    priority, breaks
-        (y, x): the ranking, and 1 where cut.
-    before, after
-        Burns of the same fires without and with the breaks, as `simulate` returns them.
-    evaluation
-        R(d_f) of the ranking and the baselines under these fires, as `evaluate` returns it; with a clock at a few
-        budgets.
-    paper
-        The same for fires that end by themselves and perfect breaks.
-    judged
-        What the fires and the breaks were taken for, and what is assumed.
-    request
-        What was asked for.
-    share
-        Share of the cells with fuel that is cut.
-    feasibility
-        What could be reached.
-    """
-
-    landscape: xr.Dataset
-    network: SpreadNetwork
-    stakes: Stakes
-    priority: xr.DataArray
-    breaks: xr.DataArray
-    before: xr.Dataset
-    after: xr.Dataset
-    evaluation: xr.Dataset
-    paper: xr.Dataset
-    judged: Judging
-    request: PlanRequest
-    share: float
-    feasibility: Feasibility
-
-    def __repr__(self) -> str:
-        return f"<Plan by {self.request.design.method}: cuts {self.share:.3g} of the fuel of {self.network!r}>"
-
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """What was asked for, as plain data for an account of the plan."""
-        design, spread, fires = self.request.design, self.request.spread, self.judged.fires
-        return {
-            "budget": design.budget,
-            "budget_unit": design.budget_unit,
-            "d_f": self.share,
-            "method": design.method,
-            "method_params": dict(design.method_params),
-            "model": spread.model,
-            "model_params": dict(spread.model_params),
-            "width": design.width,
-            "residual": fires.residual,
-            "timeless": self.request.timeless,
-            "duration": None if fires.duration is None else fires.duration.told(),
-            "hold": fires.holding.told(),
-            "embers": None if fires.embers is None else fires.embers.told(),
-            "containment": None if fires.crews is None else fires.crews.told(),
-            "refine": design.refine,
-            "n_runs": fires.n_runs,
-            "seed": fires.seed,
-        }
-
-    @property
-    def polygons(self) -> gpd.GeoDataFrame:
-        """Connected pieces of the breaks, see `break_polygons`."""
-        return break_polygons(self.breaks, self.priority)
-
-    @cached_property
-    def segments(self) -> Segments:
-        """Middle lines and outlines of what is to be built, in order, see `segments.segments`."""
-        found = segments_of(
-            self.network,
-            self.breaks,
-            priority=self.priority,
-            elevation=self.landscape["elevation"],
-            cost=self.stakes.cost,
-            value=self.stakes.value,
-            ignition=self.stakes.ignition,
-        )
-        table = self.request.design.treatments
-        return found if table is None else with_treatments(found, self.landscape, table)
-
-    @cached_property
-    def compartments(self) -> gpd.GeoDataFrame:
-        """The fuel between the breaks and what it has to lose, see `compartments.compartments`."""
-        return compartments_of(
-            self.network, self.breaks, value=self.stakes.value, ignition=self.stakes.ignition, burns=self.after
-        )[1]
-
-    @property
-    def headline(self) -> list[str]:
-        """What the plan saves, as sentences: first under the fires that were asked or assumed, then in the paper's."""
-        return headline(self.summary, self.judged)
-
-    @property
-    def fire_sizes(self) -> pd.DataFrame:
-        """One row a run: cells and hectares burnt without and with the breaks."""
-        import pandas as pd
-
-        area = self.network.grid.cell_area_ha
-        sizes = {
-            "without_breaks": self.before["fire_size"].to_numpy(),
-            "with_breaks": self.after["fire_size"].to_numpy(),
-        }
-        columns: dict[str, np.ndarray] = {"run": np.arange(self.before.sizes["run"])}
-        for name, cells in sizes.items():
-            columns[f"cells_{name}"] = cells
-            columns[f"ha_{name}"] = np.round(cells * area, 6)
-        return pd.DataFrame(columns)
-
-    @property
-    def cut_classes(self) -> dict[str, dict[str, dict[str, float]]]:
-        """By layer and class: its share of the cut cells, and of all fuel, which is what random cutting takes.
-
-        For `vegetation` and `density`, the classes that hold fuel; fuel that a legend gives effects counts under the
-        class nearest to them.
-        """
-        return class_shares(self.landscape, self.breaks.to_numpy() > 0, self.network.burnable)
-
-    @cached_property
-    def summary(self) -> dict[str, Any]:
-        """Key figures as plain numbers."""
-        n_burnable = self.network.n_burnable
-        before, after = self.before["fire_size"].to_numpy(), self.after["fire_size"].to_numpy()
-        area = self.network.grid.cell_area_ha
-        chosen = self.evaluation.sel(ranking=self.request.design.method, budget=self.share)
-        cut = self.breaks.to_numpy() > 0
-        figures: dict[str, Any] = {
-            "burnable_cells": n_burnable,
-            "burnable_ha": round(n_burnable * area, 4),
-            "cells_cut": int(np.count_nonzero(cut)),
-            "ha_cut": round(int(np.count_nonzero(cut)) * area, 4),
-            "cost": float(self.stakes.cost[cut].sum()),
-            "burnt_share_without_breaks": float(before.mean() / n_burnable),
-            "burnt_share_with_breaks": float(after.mean() / n_burnable),
-            "burnt_share_with_breaks_p90": float(np.percentile(after, 90) / n_burnable),
-            "burnt_share_with_breaks_max": float(after.max() / n_burnable),
-            "saved_share": float(1.0 - after.mean() / before.mean()) if before.any() else 0.0,
-            "fire_ha_without_breaks": float(before.mean() * area),
-            "fire_ha_with_breaks": float(after.mean() * area),
-        }
-        endless = self.paper["mean"].sel(ranking=self.request.design.method)
-        figures["timeless"] = {
-            "burnt_share_without_breaks": float(endless.sel(budget=0.0)),
-            "burnt_share_with_breaks": float(endless.sel(budget=self.share)),
-        }
-        figures["cut_classes"] = self.cut_classes
-        lost = self.after["value_lost"] if "value_lost" in self.after else self.after["fire_size"]
-        figures["judged"] = judge(
-            after,
-            lost.to_numpy(),
-            before,
-            treated_ha=figures["ha_cut"],
-            cell_area_ha=area,
-            picks=resamples(after.size, self.request.fires.seed),
-        )
-        if self.request.design.method != "random":
-            figures["p_value_against_random"] = float(chosen["p_value"])
-        if "value_lost" in self.before:
-            figures["value_lost_without_breaks"] = float(self.before["value_lost"].mean())
-            figures["value_lost_with_breaks"] = float(self.after["value_lost"].mean())
-        return figures
 
 
 def plan(
