@@ -113,7 +113,7 @@ def _methods(kinds: Tree) -> str:
     return "\n".join(out)
 
 
-def _legends(names: list[str]) -> str:
+def _legends(names: Tree) -> str:
     out = ["# Legends\n", "Made from the legends in the package; `firebreak legends NAME` shows one.\n"]
     for name in names:
         legend = legends.read_legend(name)

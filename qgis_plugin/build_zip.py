@@ -22,7 +22,7 @@ PLUGIN = HERE / "firebreak"
 FIXED_DATE = (2000, 1, 1, 0, 0, 0)
 SKIPPED_FOLDERS = {"__pycache__"}
 SKIPPED_SUFFIXES = {".pyc", ".pyo", ".xml"}
-ADDRESSES = ("repository", "homepage", "tracker", "email")
+ADDRESSES = ("repository", "homepage", "documentation", "tracker", "email")
 #: Stands in metadata.txt in the place of addresses that only the publisher knows.
 PLACEHOLDER = "example.org"
 
@@ -86,7 +86,7 @@ def build(folder: Path, addresses: Mapping[str, str] | None = None, *, release: 
     folder
         Made if it is not there.
     addresses
-        Entries of metadata.txt to set: repository, homepage, tracker, email.
+        Entries of metadata.txt to set: repository, homepage, documentation, tracker, email.
     release
         Whether the zip is for the plugin repository.
 
@@ -139,12 +139,14 @@ def main() -> None:
     parser.add_argument("--release", action="store_true", help="for the plugin repository: refuse missing addresses")
     parser.add_argument("--repository", help="where the source is, https://...")
     parser.add_argument("--homepage", help="by default the repository")
+    parser.add_argument("--documentation", help="where the pages of docs/ are, by default the homepage with /docs")
     parser.add_argument("--tracker", help="by default the repository with /issues")
     parser.add_argument("--email", help="of who answers")
     parser.add_argument("--wheel", action="store_true", help="put a wheel of the engine beside the zip")
     given = vars(parser.parse_args())
     if given["repository"]:
         given["homepage"] = given["homepage"] or given["repository"]
+        given["documentation"] = given["documentation"] or given["homepage"].rstrip("/") + "/docs"
         given["tracker"] = given["tracker"] or given["repository"].rstrip("/") + "/issues"
     try:
         addresses = {key: given[key] for key in ADDRESSES if given[key]}

@@ -49,8 +49,12 @@ class Session:
             threading.Thread(target=self._listen, daemon=True).start()
 
     def say(self, text: str) -> None:
-        """Tell the person something, on stderr."""
-        if self.verbosity >= 0 and self.progress_mode != "json":
+        """Tell the person something: on stderr, or a program as a line of JSON."""
+        if self.verbosity < 0:
+            return
+        if self.progress_mode == "json":
+            self._print_line({"said": text})
+        else:
             self._tell(text)
 
     def detail(self, text: str) -> None:

@@ -141,7 +141,7 @@ def fire_table(
     elif areas is not None:
         hectares = areas
     else:
-        raise InputError(f"{where} has no column with the size of the fires [ha]; name it (--size-field)")
+        raise InputError(f"{where} has no column with the size of the fires [ha]; name it (--size-column)")
     begun, ended = (
         _column(table, name, usual, where, what)
         for name, usual, what in (

@@ -1,4 +1,4 @@
-"""A square grid of bands that encloses equal compartments.
+"""Compartments: a square grid of bands that encloses equal ones.
 
 Bands of `width` cells lie `spacing` cells apart along `direction` and across it; enclosing squares of s cells takes
 2 / s of the land. By default the turn (0 or 45 degrees) and the shift with the least expected loss are taken, and the

@@ -1,4 +1,4 @@
-"""Cells that are lit by, or light, their neighbours most: the strength of each cell.
+"""Degree: cells that are lit by, or light, their neighbours most.
 
 `in` sums the probabilities of the edges into a cell (how easily fire arrives), `out` those of the edges out
 of it (how readily fire leaves). Cells without edges have 0. Cost: one pass over the probabilities.

@@ -1,4 +1,4 @@
-"""Defensible fuel profile zones: broad bands along roads and ridges.
+"""Defensible fuel profile zones (DFPZ): broad bands along roads and ridges.
 
 Roads come first if given. Ridges are the lines on which the ways straight uphill meet: each cell counts the cells
 from which steepest ascent leads through it, on terrain smoothed over two cells, so that main ridges come before

@@ -1,4 +1,4 @@
-"""Nested minimum cuts: walls between compartments, those that save most for their cost first.
+"""Dissection: walls between compartments by nested minimum cuts, those that save most for their cost first.
 
 What network science calls dismantling by nested dissection: small separators first cut the whole, then its parts.
 

@@ -1,4 +1,4 @@
-"""Exact gain of cutting one cell, found anew after every few cuts.
+"""Dominator: exact gain of cutting one cell, found anew after every few cuts.
 
 In one simulated fire the cells that burn only by way of a cell are its subtree in the dominator tree of the open
 edges; their value, in the mean over fires and for the cost of cutting, is exactly what cutting that cell alone

@@ -1,4 +1,4 @@
-"""Most flammable cells first: the conventional policy, which looks at each cell alone.
+"""Flammability: most flammable cells first, the conventional policy, which looks at each cell alone.
 
 The score is the mean probability with which the cell is lit by its burnable neighbours. Cost: one pass.
 Source: the "conventional" baseline of Russo, Russo, Siettos 2016, doi 10.1371/journal.pone.0163226.

@@ -1,4 +1,4 @@
-"""Betweenness of a group, built cell by cell: each covers fastest routes that the group leaves open.
+"""Group betweenness: built cell by cell, each covers fastest routes that the group leaves open.
 
 Single scores choose neighbours of neighbours, since the cells of one route all score high; here the pairs whose
 routes a chosen cell covers count no more, so that the next cell is taken elsewhere. Routes are those before any

@@ -1,4 +1,4 @@
-"""Cells in random order: the baseline that every plan must beat.
+"""Random: cells in random order, the baseline that every plan must beat.
 
 The order is a uniform random permutation keyed by the seed. Cost: one draw a cell.
 Source: Russo, Russo, Siettos 2016, doi 10.1371/journal.pone.0163226.

@@ -1,4 +1,4 @@
-"""Strategically placed area treatments: staggered patches that slow a fire, with no line through them.
+"""Strategically placed area treatments (SPLAT): staggered patches that slow a fire, with no line through them.
 
 Rows of rectangles lie across the heading, each row moved so that its patches overlap those of the next. With patches
 of W cells along and L across the heading, rows S apart and an overlap of O, the share of the land treated is

@@ -1,4 +1,4 @@
-"""Parallel bands across a direction: the plainest pattern of practice.
+"""Stripes: parallel bands across a direction, the plainest pattern of practice.
 
 Bands lie evenly spaced across `direction`, the heading of the fires expected; by default the one of eight headings,
 and the shift of the pattern, that leave the least expected loss (ignitions times values, by compartment). Bands stop

@@ -1,4 +1,4 @@
-"""Cellular automaton of vegetation type, density, slope and wind.
+"""Alexandridis: cellular automaton of vegetation type, density, slope and wind.
 
 A burning cell l lights its neighbour k with
 

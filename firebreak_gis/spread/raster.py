@@ -1,4 +1,4 @@
-"""Probabilities, and perhaps travel times, from a raster: bring your own fire model.
+"""Raster: your own probabilities, and perhaps travel times, from another fire model.
 
 Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order N
 NE E SE S SW W NW. Cells that are nodata in all eight hold no fuel. Eight more bands in the same order may hold the

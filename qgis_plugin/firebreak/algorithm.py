@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import shutil
 import tempfile
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,6 @@ from qgis.core import (
     QgsProcessingOutputNumber,
     QgsProcessingUtils,
 )
-from qgis.PyQt.QtCore import QCoreApplication
 from qgis.PyQt.QtGui import QIcon
 
 from . import settings
@@ -31,7 +30,8 @@ from .manifest import Description, Output, parameter_names
 from .parameters import input_parameter, output_parameter
 from .results import DestinationError, deliver, deliver_folder, refuse_formats, refuse_inputs
 from .styling import Run, style_later
-from .texts import help_page, homepage, translated
+from .texts import help_address, help_page, translated
+from .translation import translate
 from .words import in_form_words
 
 _ICONS = Path(__file__).with_name("icons")
@@ -92,7 +92,7 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
 
     def helpUrl(self) -> str:  # noqa: N802
         """Return the address of the documentation."""
-        return homepage()
+        return help_address(self.name())
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802, ARG002
         """Build the form."""
@@ -118,7 +118,7 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
         try:
             return self._process(parameters, context, feedback)
         except EngineCancelledError:
-            feedback.pushInfo(QCoreApplication.translate("Firebreak", "Stopped; no output was written."))
+            feedback.pushInfo(translate("Firebreak", "Stopped; no output was written."))
             return {}
         except (EngineError, ArgumentsError, DestinationError, QgsProcessingException) as error:
             failure = in_form_words(str(error))
@@ -141,7 +141,8 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             refuse_formats(wanted, {output.name: output.file for output in self._description.outputs})
             refuse_inputs(wanted, [path for path in layers if path != "None"])
             result = self._run(engine, values, wanted, folder, feedback)
-            return self._deliver(result, wanted, folder / "out", context, feedback)
+            run_of = self._run_of(engine, values, folder.name)
+            return self._deliver(result, wanted, folder / "out", run_of, context, feedback)
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
@@ -183,10 +184,31 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             result = run(engine, arguments, _listener(feedback, place, len(runs)), folder=str(folder))
         return result
 
-    def _run_of(self, made: Path) -> Run:
-        engine = settings.current_engine()
-        history = f"firebreak_gis {engine.version}: {self.displayName()}"
-        return Run(made.parent.name, self.displayName(), self.shortDescription(), history)
+    def _run_of(self, engine: Engine, values: dict[str, Any], mark: str) -> Run:
+        """Return what the layers of this run have in common: runs of one form are told apart by ranking and time."""
+        now = datetime.now().astimezone()
+        rankings = [
+            translated(word).partition(":")[0]
+            for field in self._description.fields
+            if field.option == "method"
+            for choice, word in zip(field.choices, field.words)  # noqa: B905 - QGIS may run Python 3.9
+            if choice == values[field.name]
+        ]
+        title = f"{self.displayName()} ({', '.join([*rankings, f'{now:%H:%M}'])})"
+        given = [
+            f"{translated(field.label)}: {_listed(values[field.name])}"
+            for field in self._description.fields
+            if values[field.name] not in (None, "", [], False, field.default)
+        ]
+        made = f"{now:%Y-%m-%d %H:%M}: {self.displayName()}, firebreak_gis {engine.version}"
+        return Run(mark, title, self.shortDescription(), (made, *given))
+
+    def _tell(self, result: dict[str, Any], feedback: QgsProcessingFeedback) -> None:
+        """Show the figures of the result."""
+        for key, value in result.items():
+            if isinstance(value, (int, float, str)) and not isinstance(value, bool):
+                text = translated(self._description.form.numbers.get(key, "")) or key.replace("_", " ")
+                feedback.pushInfo(f"{text}: {value:g}" if isinstance(value, float) else f"{text}: {value}")
 
     def _main_output(self) -> Output:
         return self._description.outputs[0]
@@ -196,10 +218,11 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
         result: dict[str, Any],
         wanted: dict[str, str],
         made: Path,
+        run_of: Run,
         context: QgsProcessingContext,
         feedback: QgsProcessingFeedback,
     ) -> dict[str, Any]:
-        _tell(result, made, feedback)
+        self._tell(result, feedback)
         delivered: dict[str, Any] = {}
         for output in self._description.outputs:
             path = wanted.get(output.name)
@@ -210,7 +233,7 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
                 delivered[output.name] = path
                 continue
             if not (made / output.file).is_file():
-                message = QCoreApplication.translate("Firebreak", "{} was not made: there is nothing to put in it.")
+                message = translate("Firebreak", "{} was not made: there is nothing to put in it.")
                 feedback.pushWarning(message.format(output.name))
                 continue
             if output.kind == "vector":
@@ -218,9 +241,9 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             else:
                 deliver(made / output.file, Path(path))
             if output.kind != "file":
-                style_later(output, path, self._run_of(made), context)
+                style_later(output, path, run_of, context)
             elif output.file == "report.html":
-                message = QCoreApplication.translate("Firebreak", "Report: {} (open it from the Results Viewer)")
+                message = translate("Firebreak", "Report: {} (open it from the Results Viewer)")
                 feedback.pushInfo(message.format(path))
             delivered[output.name] = path
         numbers = {key.upper(): result[key] for key in self._description.form.numbers if key in result}
@@ -240,21 +263,14 @@ def _listener(feedback: QgsProcessingFeedback, place: int, count: int) -> Listen
     def warn(text: str) -> None:
         feedback.pushWarning(in_form_words(text))
 
-    return Listener(progress, warn, feedback.isCanceled)
+    def say(text: str) -> None:
+        feedback.pushInfo(in_form_words(text))
+
+    return Listener(progress, warn, say, feedback.isCanceled)
 
 
-def _tell(result: dict[str, Any], made: Path, feedback: QgsProcessingFeedback) -> None:
-    """Show what was done to the layers, and the figures of the result."""
-    account = made / "run.json"
-    lines = list(result.get("alignment", []))
-    if not lines and account.is_file():
-        lines = list(json.loads(account.read_text(encoding="utf-8")).get("alignment", []))
-    for line in lines:
-        feedback.pushInfo(in_form_words(str(line)))
-    for key, value in result.items():
-        if isinstance(value, (int, float, str)) and not isinstance(value, bool):
-            shown = f"{value:g}" if isinstance(value, float) else value
-            feedback.pushInfo(f"{key.replace('_', ' ')}: {shown}")
+def _listed(value: Any) -> str:
+    return ", ".join(map(str, value)) if isinstance(value, (list, tuple)) else str(value)
 
 
 def _shown(word: str) -> str:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from qgis.core import QgsProcessingContext, QgsProcessingFeedback, QgsVectorFileWriter, QgsVectorLayer
-from qgis.PyQt.QtCore import QCoreApplication
 
 from .results import DestinationError, deliver
+from .translation import translate
 
 
 def deliver_vector(
@@ -27,7 +27,7 @@ def deliver_vector(
     layer = QgsVectorLayer(str(file), file.stem, "ogr")
     names = [line.split("!!::!!")[1] for line in layer.dataProvider().subLayers()]
     if len(names) > 1:
-        message = QCoreApplication.translate("Firebreak", "{} holds {}; only a GeoPackage can hold {} as well.")
+        message = translate("Firebreak", "{} holds {}; only a GeoPackage can hold {} as well.")
         feedback.pushWarning(message.format(destination.name, names[0], ", ".join(names[1:])))
     layer.loadDefaultStyle()
     options = QgsVectorFileWriter.SaveVectorOptions()

@@ -92,6 +92,45 @@ LABELS: Mapping[str, str] = {
     "longest": "Longest simulated fire, such as 200h",
     "table": "What is told of each fire",
     "compartments": "Compartments between the breaks",
+    "containment": "When crews contain a fire, such as 6h",
+    "barriers_hold": "How often a barrier holds, such as 0.9",
+    "timeless": "Fires without an end by time",
+    "ignition_times": "Column with the hour of each ignition",
+    "wind_uv": "Wind towards east and north, in place of speed and direction [m/s]",
+    "weather_columns": "Columns of the table of weather, such as wind_speed=FF",
+    "weather_units": "Units of the table of weather, such as wind_speed=kn",
+    "weather_ignore": "Columns of the table of weather to leave out",
+    "by": "Times for the folder of arrival times, such as 2h,4h",
+    "size_classes": "Limits of the classes of fire sizes [hectares]",
+    "flame_lengths": "Flame lengths for the folder of arrival times [m]",
+    "export": "File with the probabilities for other tools (.mtx, .npz)",
+}
+
+#: Words of lists where the word that the engine takes does not say enough. Rankings, spread models and legends are
+#: described by the engine, see `words.choice_word`.
+CHOICES: Mapping[str, Mapping[str, str]] = {
+    "density": {
+        "sparse": "Sparse everywhere",
+        "normal": "Normal everywhere",
+        "dense": "Dense everywhere",
+        "continuity": "As closed as the fuel around each cell is",
+    },
+    "unknown": {"refuse": "Refuse them", "nonburnable": "Take them as land without fuel"},
+    "neighbourhood": {"moore": "All eight", "von_neumann": "The four that share a side"},
+    "budget_unit": {"share": "Share of the fuel (0 to 1)", "ha": "Hectares", "cost": "Money"},
+    "protected_rule": {"every-part": "Cells with any part in the area", "centre": "Cells whose centre is in the area"},
+    "values_as": {"amount": "So much in each cell, polygon or point", "density": "So much a hectare"},
+    "ignition_mode": {
+        "each": "One for each fire, in turn",
+        "all": "All at once in every fire",
+        "density": "More fires where they are dense",
+    },
+    "ignitions_outside": {"refuse": "Refuse them", "drop": "Leave them out"},
+    "test": {
+        "wilcoxon": "Wilcoxon's signed-rank test of pairs",
+        "ranksum": "Wilcoxon's rank-sum test of independent runs",
+        "t": "Student's t-test of pairs",
+    },
 }
 
 #: Help for what the command line takes as arguments, which have none there.
@@ -105,6 +144,19 @@ HELP: Mapping[str, str] = {
     "run": "Into which a plan or a comparison was written with all its files.",
     "scar": "Perimeter of the fire as polygons, or a raster above 0 where it burnt.",
     "fires": "Polygons or a table (CSV) of the fires of a region, with their sizes in hectares and perhaps their days.",
+}
+
+#: Help where a form is filled in otherwise than the command line: numbers alone, or a list to tick.
+HELP_OF_FORMS: Mapping[str, str] = {
+    "method": "By which cells are ranked; higher is cut earlier. All are described below.",
+    "method_list": "Rankings to hold against each other; all are described below.",
+    "model": "How fire gets from a cell to its neighbours; all are described below.",
+    "wind_speed": "Wind speed at mid-flame height in m/s, or a raster of it on any grid.",
+    "legend": "What the vegetation codes mean: a built-in legend, or a CSV file of your own.",
+    "density_legend": "What the density codes mean: a built-in legend, or a CSV file of your own.",
+    "where": "Take only features that fit a condition, with the name of the layer before it, such as "
+    "barriers=highway = 'primary'; several are separated by ;.",
+    "neighbourhood": "Cells to which fire can spread from a cell.",
 }
 
 #: Ranges of numbers, None where open; the engine checks them again.

@@ -15,10 +15,10 @@ from qgis.core import (
     QgsRasterLayer,
     QgsRasterPipe,
 )
-from qgis.PyQt.QtCore import QCoreApplication
 
 from . import enums
 from .manifest import Field
+from .translation import translate
 
 #: Vector formats that the engine reads as they are; all others are exported first.
 _VECTOR_FORMATS = ["gpkg", "geojson", "fgb", "shp"]
@@ -84,7 +84,7 @@ class FormValues:
             pipe, layer.width(), layer.height(), layer.extent(), layer.crs(), self._context.transformContext()
         )
         if failure != enums.RASTER_WRITTEN:
-            message = QCoreApplication.translate("Firebreak", "The layer {} cannot be read as cells of a raster.")
+            message = translate("Firebreak", "The layer {} cannot be read as cells of a raster.")
             raise QgsProcessingException(message.format(layer.name()))
         return path
 
@@ -113,9 +113,7 @@ class FormValues:
         crs = self._algorithm.parameterAsCrs(self._parameters, "CRS", self._context)
         if not crs.isValid():
             raise QgsProcessingException(
-                QCoreApplication.translate(
-                    "Firebreak", "An extent needs the CRS of the grid; choose it beside the extent (CRS)."
-                )
+                translate("Firebreak", "An extent needs the CRS of the grid; choose it beside the extent (CRS).")
             )
         box = self._algorithm.parameterAsExtent(self._parameters, field.name, self._context, crs)
         if box.isNull() or box.isEmpty():

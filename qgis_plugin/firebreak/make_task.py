@@ -5,10 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from qgis.core import Qgis, QgsMessageLog, QgsTask
-from qgis.PyQt.QtCore import QCoreApplication, pyqtSignal
+from qgis.PyQt.QtCore import pyqtSignal
 
 from .engine.errors import EngineCancelledError, EngineError
 from .engine.making import make_engine
+from .translation import translate
 
 
 class MakeEngineTask(QgsTask):
@@ -30,7 +31,7 @@ class MakeEngineTask(QgsTask):
     ended = pyqtSignal(str)
 
     def __init__(self, folder: Path, base: Path | None, package: str, proxy: str) -> None:
-        super().__init__(QCoreApplication.translate("Firebreak", "Making the engine of Firebreak"))
+        super().__init__(translate("Firebreak", "Making the engine of Firebreak"))
         self._arguments = (folder, base, package, proxy)
         self._text = ""
 
@@ -44,7 +45,7 @@ class MakeEngineTask(QgsTask):
         except (EngineError, EngineCancelledError, OSError) as error:
             self._text = str(error)
             return False
-        self._text = QCoreApplication.translate("Firebreak", "firebreak_gis {} is ready.").format(version)
+        self._text = translate("Firebreak", "firebreak_gis {} is ready.").format(version)
         return True
 
     def finished(self, result: bool) -> None:

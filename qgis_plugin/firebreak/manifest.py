@@ -13,8 +13,8 @@ from pathlib import PurePath
 from typing import Any
 
 from . import forms, labels, names
+from .words import choice_word, label_of, words_of_forms
 from .words import document as _document
-from .words import label_of, words_of_forms
 
 #: Fields for layers are named INPUT_..., those for files written OUTPUT_...
 _LAYER_KINDS = ("raster", "vector")
@@ -56,6 +56,8 @@ class Field:
         As in the manifest and the table of forms.
     default, choices, low, high
         As far as they are known.
+    words
+        What the form shows for each choice.
     parent
         Of a `field`: the parameter of its layer.
     """
@@ -71,6 +73,7 @@ class Field:
     multiple: bool = False
     default: Any = None
     choices: tuple[str, ...] = ()
+    words: tuple[str, ...] = ()
     low: float | None = None
     high: float | None = None
     parent: str = ""
@@ -175,6 +178,8 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
             label = f"{label}, as {_TEXTS.get(option['name']) or _ARTICLES.get(kind, 'a ' + kind)}"
         if kind in ("number", "integer") and default is not None:
             default = float(default) if kind == "number" else int(default)
+        choices = tuple(option.get("choices", ())) if kind in ("choice", "choices") else ()
+        told = labels.HELP_OF_FORMS.get(option["name"]) or option.get("help") or labels.HELP.get(option["name"], "")
         yield Field(
             _name(
                 option["name"],
@@ -183,7 +188,7 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
             ),
             kind,
             label,
-            words_of_forms(option.get("help") or labels.HELP.get(option["name"], ""), form.name),
+            words_of_forms(told, form.name),
             option["name"],
             (option.get("flags") or [""])[-1],
             required=bool(option.get("required")) and len(kinds) == 1,
@@ -193,7 +198,8 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
             default=default,
             low=low,
             high=high,
-            choices=tuple(option.get("choices", ())) if kind in ("choice", "choices") else (),
+            choices=choices,
+            words=tuple(choice_word(option["name"], choice) for choice in choices),
         )
 
 

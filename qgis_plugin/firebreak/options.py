@@ -6,7 +6,6 @@ from pathlib import Path
 
 from qgis.core import QgsApplication
 from qgis.gui import QgsFileWidget, QgsOptionsPageWidget, QgsOptionsWidgetFactory
-from qgis.PyQt.QtCore import QCoreApplication
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import (
     QFormLayout,
@@ -27,6 +26,7 @@ from .engine.lookup import forget
 from .engine.making import PACKAGE
 from .make_task import MakeEngineTask
 from .provider import ICON
+from .translation import translate
 
 #: Object name by which `iface.showOptionsDialog` finds the page.
 PAGE = "firebreakOptions"
@@ -69,7 +69,6 @@ class OptionsPage(QgsOptionsPageWidget):
         forget()
 
     def _engine_group(self) -> QGroupBox:
-        translate = QCoreApplication.translate
         group = QGroupBox(translate("Firebreak", "Engine"))
         form = QFormLayout(group)
         self._engine = QgsFileWidget()
@@ -85,7 +84,6 @@ class OptionsPage(QgsOptionsPageWidget):
         return group
 
     def _making_group(self) -> QGroupBox:
-        translate = QCoreApplication.translate
         group = QGroupBox(translate("Firebreak", "Make an engine"))
         form = QFormLayout(group)
         text = QLabel(
@@ -133,7 +131,7 @@ class OptionsPage(QgsOptionsPageWidget):
         except EngineMissingError as error:
             self._status.setText(str(error))
             return
-        text = QCoreApplication.translate("Firebreak", "firebreak_gis {} answers: {} ({})")
+        text = translate("Firebreak", "firebreak_gis {} answers: {} ({})")
         self._status.setText(text.format(engine.version, engine.command[0], engine.origin))
 
     def _start(self) -> None:

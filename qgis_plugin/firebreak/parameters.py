@@ -98,9 +98,9 @@ def _number(field: Field, label: str, kind: Any) -> QgsProcessingParameterNumber
 
 
 def _choice(field: Field, label: str, *, several: bool) -> QgsProcessingParameterEnum:
-    """Return an enum whose values are the words themselves, so that models outlive new choices."""
+    """Return an enum whose values are the engine's words, so that models outlive new choices; the form shows others."""
     default = field.default.split(",") if several and field.default else field.default
-    return QgsProcessingParameterEnum(
+    parameter = QgsProcessingParameterEnum(
         field.name,
         label,
         list(field.choices),
@@ -109,3 +109,6 @@ def _choice(field: Field, label: str, *, several: bool) -> QgsProcessingParamete
         optional=_is_optional(field),
         usesStaticStrings=True,
     )
+    words = [translated(word) for word in field.words]
+    parameter.setMetadata({"widget_wrapper": {"class": f"{__package__}.choosing.ChoiceWidget", "words": words}})
+    return parameter

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QCoreApplication
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QAction
 
 from .provider import ICON, FirebreakProvider
+from .translation import translate
 
 
 class FirebreakPlugin:
@@ -39,7 +39,7 @@ class FirebreakPlugin:
         self.initProcessing()
         self._factory = OptionsFactory()
         self._iface.registerOptionsWidgetFactory(self._factory)
-        text = QCoreApplication.translate("Firebreak", "Firebreak settings…")
+        text = translate("Firebreak", "Firebreak settings…")
         self._action = QAction(QIcon(str(ICON)), text, self._iface.mainWindow())
         self._action.triggered.connect(self._show_settings)
         self._iface.addPluginToMenu("Firebreak", self._action)

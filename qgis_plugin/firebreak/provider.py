@@ -4,19 +4,24 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsProcessingProvider
-from qgis.PyQt.QtCore import QCoreApplication
+from qgis.core import QgsApplication, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
+from . import translation
 from .algorithm import FirebreakAlgorithm
 from .manifest import descriptions
 from .results import VECTOR_FORMATS
+from .translation import translate
 
 ICON = Path(__file__).parent / "icons" / "firebreak.svg"
 
 
 class FirebreakProvider(QgsProcessingProvider):
-    """Offers the commands of firebreak_gis in the toolbox, in models and in batch."""
+    """Offers the commands of firebreak_gis in the toolbox, in models and in batch, in the language of QGIS."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        translation.use(QgsApplication.locale())
 
     def id(self) -> str:
         """Return the identifier."""
@@ -24,11 +29,11 @@ class FirebreakProvider(QgsProcessingProvider):
 
     def name(self) -> str:
         """Return the title."""
-        return QCoreApplication.translate("Firebreak", "Firebreak")
+        return translate("Firebreak", "Firebreak")
 
     def longName(self) -> str:  # noqa: N802 - this and the following are named by QGIS
         """Return the title with a few words more."""
-        return QCoreApplication.translate("Firebreak", "Firebreak (plan forest fire breaks)")
+        return translate("Firebreak", "Firebreak (plan forest fire breaks)")
 
     def icon(self) -> QIcon:
         """Return the picture in the toolbox."""

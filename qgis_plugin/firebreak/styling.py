@@ -38,7 +38,7 @@ class Run:
     mark: str
     title: str
     about: str
-    history: str
+    history: tuple[str, ...]
 
 
 class Styler(QgsProcessingLayerPostProcessorInterface):
@@ -85,7 +85,7 @@ class Styler(QgsProcessingLayerPostProcessorInterface):
         metadata = layer.metadata()
         metadata.setTitle(translated(self._output.label))
         metadata.setAbstract(self._run.about)
-        metadata.setHistory([self._run.history])
+        metadata.setHistory(list(self._run.history))
         layer.setMetadata(metadata)
 
 

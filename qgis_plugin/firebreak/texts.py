@@ -8,29 +8,36 @@ from html import escape
 from pathlib import Path, PurePath
 from typing import Any
 
-from qgis.PyQt.QtCore import QCoreApplication
-
 from .manifest import Description, Field
 from .names import SET_BY_OPTION
+from .translation import translate
+from .words import choice_word
 
 _PICTURES = Path(__file__).with_name("pictures")
 _PICTURE_WIDTH = 220  # of the narrow help panel
 _PLACEHOLDER = "example.org"  # stands in metadata.txt until `build_zip.py --release` puts the address in
+#: Where the documentation describes a command; `docs/reference.py` writes it.
+PAGE = "/generated/commands.html#firebreak-{command}"
 _FILTERS = {".csv": "CSV", ".png": "PNG", ".svg": "SVG", ".html": "HTML", ".json": "JSON"}
 
 
 def translated(text: str) -> str:
     """Return a text of the manifest or the table of forms in the user's language."""
-    return QCoreApplication.translate("Firebreak", text) if text else ""
+    return translate("Firebreak", text) if text else ""
 
 
 @lru_cache(maxsize=1)
-def homepage() -> str:
-    """Return the address of the project from the plugin's metadata, empty where it is not published."""
+def documentation() -> str:
+    """Return the address of the documentation from the plugin's metadata, empty where it is not published."""
     metadata = ConfigParser(interpolation=None)
     metadata.read(Path(__file__).with_name("metadata.txt"), encoding="utf-8")
-    address = metadata.get("general", "homepage", fallback="")
-    return "" if _PLACEHOLDER in address else address
+    address = metadata.get("general", "documentation", fallback="")
+    return "" if _PLACEHOLDER in address else address.rstrip("/")
+
+
+def help_address(command: str) -> str:
+    """Return the address of what the documentation says of a command, empty where it is not published."""
+    return documentation() and documentation() + PAGE.format(command=command)
 
 
 def file_filter(file: str) -> str:
@@ -46,15 +53,15 @@ def help_page(description: Description) -> str:
     picture = _PICTURES / f"{description.form.name}.png"
     if picture.is_file():
         parts.append(f'<p><img src="{picture.as_uri()}" width="{_PICTURE_WIDTH}"></p>')
-    heading = QCoreApplication.translate("Firebreak", "Parameters")
+    heading = translate("Firebreak", "Parameters")
     parts.append(f"<h3>{escape(heading)}</h3>")
     parts += [_entry(field) for field in description.fields if field.help]
     if description.methods:
-        parts.append(f"<h3>{escape(QCoreApplication.translate('Firebreak', 'Methods'))}</h3>")
+        parts.append(f"<h3>{escape(translate('Firebreak', 'Methods'))}</h3>")
         parts += [_method(method) for method in description.methods]
     if description.outputs:
-        parts.append(f"<h3>{escape(QCoreApplication.translate('Firebreak', 'Outputs'))}</h3>")
-        parts += [f"<p><b>{output.name}</b>: {escape(translated(output.label))}</p>" for output in description.outputs]
+        parts.append(f"<h3>{escape(translate('Firebreak', 'Outputs'))}</h3>")
+        parts += [f"<p><b>{escape(translated(o.label))}</b> ({o.name})</p>" for o in description.outputs]
     return "".join(parts)  # QGIS shows every line break
 
 
@@ -62,7 +69,7 @@ def _method(method: dict[str, Any]) -> str:
     """Return what a method does and the parameters that it takes."""
     known = [p for p in method["parameters"] if p["name"] not in SET_BY_OPTION]
     items = "".join(f"<li>{escape(p['name'])}{_usual(p)}: {escape(translated(p['text']))}</li>" for p in known)
-    about = f"<b>{escape(method['name'])}</b>: {escape(translated(method['summary']))}"
+    about = f"<b>{escape(method['name'])}</b>: {escape(translated(choice_word('', method['name'])))}"
     return f"<p>{about}</p><ul>{items}</ul>" if items else f"<p>{about}</p>"
 
 

@@ -23,7 +23,7 @@ PICTURES = {".svg", ".png"}
 
 sys.path.insert(0, str(PLUGIN.parent))
 
-from firebreak import forms, manifest, words  # noqa: E402
+from firebreak import forms, manifest  # noqa: E402
 
 source = pytest.mark.parametrize("path", SOURCES, ids=lambda p: p.relative_to(PLUGIN).as_posix())
 
@@ -45,14 +45,18 @@ def test_imports_are_pyqgis_and_the_standard_library(path):
             names = [node.module]
         for name in names:
             top = name.partition(".")[0]
-            assert top == "qgis" or top in sys.stdlib_module_names, name
+            # `processing` is the part of QGIS that draws the forms.
+            assert top in ("qgis", "processing") or top in sys.stdlib_module_names, name
             assert not re.match(r"PyQt\d|PySide", name)
 
 
 def test_the_engine_part_needs_no_qgis():
     free = [
         *PLUGIN.glob("engine/*.py"),
-        *(PLUGIN / f"{n}.py" for n in ("forms", "labels", "names", "words", "manifest", "arguments", "results")),
+        *(
+            PLUGIN / f"{n}.py"
+            for n in ("forms", "labels", "names", "words", "manifest", "arguments", "results", "translation")
+        ),
     ]
     for path in free:
         assert "qgis" not in {
@@ -233,19 +237,6 @@ def test_forms_are_short(description):
     assert ("method" in options) == ("method_params" in options), "one field takes the parameters of all rankings"
 
 
-@pytest.mark.parametrize("description", manifest.descriptions(), ids=lambda d: d.form.name)
-def test_help_is_about_layers_not_about_a_command_line(description):
-    for text in (description.text, *(f.help for f in description.fields), *(f.label for f in description.fields)):
-        assert not re.search(r"--|\b(DEM|VEGETATION|DENSITY|NETWORK|PRIORITY|BREAKS|FOLDER|LANDSCAPE)\b|stdin", text), (
-            text
-        )
-
-
-def test_messages_are_told_in_the_words_of_the_form():
-    told = words.in_form_words("--budget 1.5 is no share; give --wind-from or a--b, see --no-such-flag")
-    assert told == '"Budget" 1.5 is no share; give "Wind from" or a--b, see "No such flag"'
-
-
 #: Words of help texts that tell that a number has a unit or none.
 UNITS = re.compile(
     r"\[.+\]|metres|hectare|share|probabilit|degrees|north|shares?|number|money|threshold|percent|cells", re.IGNORECASE
@@ -338,7 +329,7 @@ def test_metadata(metadata):
     assert metadata["qgisMaximumVersion"] == "4.99"
     assert metadata["hasProcessingProvider"] == "yes"
     assert "supportsQt6" not in metadata
-    for key in ("tracker", "repository", "homepage", "email"):
+    for key in ("tracker", "repository", "homepage", "documentation", "email"):
         assert "example.org" in metadata[key], "an address that only the publisher knows"
     for word in ("Make engine", "pip install firebreak_gis"):
         assert word in metadata["about"]
@@ -390,7 +381,7 @@ def test_a_release_has_real_addresses(builder, tmp_path):
         builder.build(
             tmp_path,
             {
-                **dict.fromkeys(("repository", "homepage"), "https://forest.net/x"),
+                **dict.fromkeys(("repository", "homepage", "documentation"), "https://forest.net/x"),
                 "tracker": "http://forest.net",
                 "email": "a@forest.net",
             },
@@ -406,6 +397,7 @@ def test_a_release_has_real_addresses(builder, tmp_path):
         parser.read_string(archive.read("firebreak/metadata.txt").decode())
         found = parser["general"]
     assert found["tracker"] == "https://forest.net/fire/issues"
+    assert found["documentation"] == "https://forest.net/fire/docs"
     assert found["homepage"] == found["repository"] == "https://forest.net/fire/"
     assert found["email"] == "a@forest.net"
     assert "example.org" not in str(dict(found))

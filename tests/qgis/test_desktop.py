@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import re
 import shutil
 import time
 import weakref
@@ -72,7 +73,7 @@ def test_outputs_are_styled_and_in_order(layers, tmp_path):
     for _ in range(20):
         QCoreApplication.processEvents()
     (group,) = project.layerTreeRoot().children()
-    assert group.name() == "Plan fire breaks"
+    assert re.fullmatch(r"Plan fire breaks \(Degree, \d\d:\d\d\)", group.name())
     sources = [Path(node.layer().source().partition("|")[0]).name for node in group.children()]
     assert sources == ["s.gpkg", "b.gpkg", "a breaks.tif", "z frequency.tif", "m.tif"]
     found = {Path(layer.source().partition("|")[0]).name: layer for layer in project.mapLayers().values()}
@@ -83,6 +84,8 @@ def test_outputs_are_styled_and_in_order(layers, tmp_path):
     metadata = found["m.tif"].metadata()
     assert metadata.title() == "Cutting priority"
     assert "firebreak_gis" in metadata.history()[0]
+    assert "Ranking: degree" in metadata.history()
+    assert f"Number of fires: {QUICK['N_RUNS']}" in metadata.history()
     assert found["b.gpkg"].renderer().symbol().color().blue() > 200
     project.clear()
 

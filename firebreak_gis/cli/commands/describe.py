@@ -33,7 +33,7 @@ def command(ctx: click.Context, session: Session) -> None:
         "version": __version__,
         "commands": commands,
         "methods": found,
-        "legends": legends.names(),
+        "legends": {name: next(iter(legends.read_legend(name).about), "") for name in legends.names()},
     }
     session.finish(document, json.dumps(document, indent=1, ensure_ascii=False))
 

@@ -37,12 +37,15 @@ class Listener:
         Called with the share done (0 to 1) and a text.
     warning
         Called with every warning.
+    said
+        Called with everything else that the engine tells, such as what was done to the layers, or how long it takes.
     cancelled
         Asked ten times a second whether to stop.
     """
 
     progress: Callable[[float, str], None] = _ignore
     warning: Callable[[str], None] = _ignore
+    said: Callable[[str], None] = _ignore
     cancelled: Callable[[], bool] = bool
 
 
@@ -134,6 +137,8 @@ def _converse(lines: queue.Queue[str | None], listener: Listener) -> dict[str, A
                 last = now
         elif "warning" in document:
             listener.warning(str(document["warning"]))
+        elif "said" in document:
+            listener.said(str(document["said"]))
         elif "result" in document or "error" in document:
             told = document
 
