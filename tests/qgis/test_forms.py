@@ -63,7 +63,8 @@ def test_a_list_shows_words_and_gives_the_engines(dialog):
 
 
 def test_a_list_of_an_optional_parameter_may_be_left_empty():
-    made = wrapper(form("plan"), "DENSITY", object())
+    plan = form("plan")  # a widget does not keep its algorithm alive, and falls with it
+    made = wrapper(plan, "DENSITY", object())
     assert made.parameterValue() is None
     assert made.widget.itemText(0) == "[not chosen]"
     made.widget.setCurrentIndex(1)
@@ -86,7 +87,8 @@ def test_several_choices_are_ticked():
 def test_the_modeler_keeps_its_own_widget_with_words_in_the_list():
     model = QgsProcessingModelAlgorithm()
     child = model.addChildAlgorithm(QgsProcessingModelChildAlgorithm("firebreak:plan"))
-    made = wrapper(form("plan"), "METHOD", ModelerParametersDialog(model, child))
+    plan, dialog = form("plan"), ModelerParametersDialog(model, child)
+    made = wrapper(plan, "METHOD", dialog)
     texts = {c.itemText(i): c.itemData(i) for c in made.findChildren(QComboBox) for i in range(c.count())}
     (word,) = [text for text, value in texts.items() if value == "dissection"]
     assert word.startswith("Dissection: walls")
@@ -96,9 +98,10 @@ def test_the_modeler_keeps_its_own_widget_with_words_in_the_list():
 def test_every_list_of_every_form_can_be_made(provider):
     seen = 0
     for algorithm in provider.algorithms():
-        for definition in algorithm.parameterDefinitions():
+        own = form(algorithm.name())
+        for definition in own.parameterDefinitions():
             if definition.type() == "enum":
-                made = wrapper(form(algorithm.name()), definition.name(), object())
+                made = wrapper(own, definition.name(), object())
                 assert made.widget.count() >= len(definition.options())
                 seen += 1
     assert seen > 30
