@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from firebreak_gis.evaluation.curves import evaluate
     from firebreak_gis.evaluation.forecasting import validate
     from firebreak_gis.landscape import read_landscape
+    from firebreak_gis.landscape.lines import line_breaks
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.planning.comparison import compare
     from firebreak_gis.planning.design import rank
@@ -53,6 +54,7 @@ _HOMES = {
     "forest": "spread.artificial",
     "ignition_places": "simulation.ignitions",
     "Hold": "simulation.holding",
+    "line_breaks": "landscape.lines",
     "plan": "planning.pipeline",
     "plot": "report.plotting",
     "Products": "simulation.products",

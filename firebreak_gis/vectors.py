@@ -85,6 +85,11 @@ def read_features(source: Any, crs: Any) -> gpd.GeoDataFrame:
     return _read(source, crs, "lines or polygons", {"LineString", "LinearRing", "Polygon"})
 
 
+def read_lines(source: Any, crs: Any) -> gpd.GeoDataFrame:
+    """Read all lines of a layer, one row a feature, reprojected to `crs`; as `read_points`."""
+    return _read(source, crs, "lines", {"LineString", "LinearRing"}, explode=False)
+
+
 def read_starts(source: Any, crs: Any, *, explode: bool = True) -> gpd.GeoDataFrame:
     """Read points and polygons together, such as where fires start, reprojected to `crs`; as `read_points`."""
     return _read(source, crs, "points or polygons", {"Point", "Polygon"}, explode=explode)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.cli.session import Session
-from firebreak_gis.errors import MissingComponentError
+from firebreak_gis.errors import MissingComponentError, ParameterError
 from firebreak_gis.files.gate import is_file
 from firebreak_gis.rasters import file_of
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape import Survey
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.landscape.request import LandscapeRequest
     from firebreak_gis.landscape.stake_layers import StakesRequest
     from firebreak_gis.landscape.target_grid import Account
@@ -75,6 +76,21 @@ def read_stakes(
     planes = request.read(grid, fuel=fuel, ignitions=ignitions, landscape=landscape, account=account)
     tell(account, session)
     return planes, account
+
+
+def read_line_breaks(source: str, grid: Grid, width: float | str, session: Session) -> LineBreaks:
+    """Lay own or planned lines with a width [m, or a column] on a grid, see `landscape.lines`."""
+    from firebreak_gis.landscape.lines import line_breaks
+    from firebreak_gis.vectors import is_vector
+
+    if not is_vector(source):
+        raise ParameterError(f"--line-width asks for lines, but {source} is a raster; leave the width out")
+    breaks = line_breaks(source, grid, width=width)
+    session.say(
+        f"breaks: {len(breaks.lines)} lines of {breaks.lines.length.sum() / 1000:,.6g} km, {breaks.area_ha:,.6g} ha; "
+        "they stop fire between the cells that they part, and the cells stay fuel"
+    )
+    return breaks
 
 
 def read_breaks(source: str, grid: Grid, session: Session) -> np.ndarray:

@@ -122,6 +122,18 @@ def byte_size(text: str | None, option: str = "--max-memory") -> int | None:
     return size
 
 
+def line_width(text: Any, option: str) -> float | str:
+    """Read the width of lines: "12" or "12m", in metres; anything else names a column."""
+    word = str(text).strip()
+    try:
+        metres = float(word.removesuffix("m"))
+    except ValueError:
+        return word
+    if not 0 < metres < float("inf"):
+        raise ParameterError(f"{option} is {text!r}, expected metres above 0, or the name of a column")
+    return metres
+
+
 def measured(quantity: Quantity) -> Callable[[Any, str], float | str]:
     """Make a reader of numbers, with or without a unit; anything else must name a raster that exists."""
 

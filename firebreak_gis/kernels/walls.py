@@ -14,12 +14,12 @@ _ONE = np.uint64(1)
 
 
 class Walls(NamedTuple):
-    """Treated cells. Without any, the arrays of cells are empty.
+    """Treated cells, and lines between cells. Without any, the arrays of cells are empty.
 
     Parameters
     ----------
     near
-        (n_cells,) bool: whether a neighbour of the cell is treated.
+        (n_cells,) bool: whether a neighbour of the cell is treated, or a line crosses a link of it.
     holds
         (n_cells,) uint32, `draws.digits_of` the probability that the cell holds in a run; 0 for untreated ones.
     stretch
@@ -30,6 +30,10 @@ class Walls(NamedTuple):
         Share of its spread probability that a cell keeps where it holds.
     probability
         (8, n_cells) float32 of the network without breaks.
+    crossed
+        (n_cells,) uint8: bit d set where a line crosses the link in direction d; empty without lines.
+    line_holds
+        (n_cells,) uint32: as `holds`, of the lines across the links to cells of a higher number.
     """
 
     near: np.ndarray
@@ -38,6 +42,8 @@ class Walls(NamedTuple):
     keys: np.ndarray
     residual: np.float32
     probability: np.ndarray
+    crossed: np.ndarray
+    line_holds: np.ndarray
 
 
 @inlined
@@ -51,17 +57,33 @@ def stands(walls: Walls, run: int, cell: np.uint64) -> bool:
     return result
 
 
+@inlined
+def parted(walls: Walls, run: int, cell: np.uint64, target: np.uint64, d: int) -> bool:
+    """Whether a line that holds in the run crosses the link from a cell in direction d, to `target`."""
+    result = False
+    if walls.crossed.size > 0 and (walls.crossed[cell] >> np.uint8(d)) & np.uint8(1):
+        first = min(cell, target)
+        stretch = np.uint64(walls.stretch[first]) & ~_ONE  # that of breaks, also on a barrier
+        draw = word(walls.keys[run], stretch) >> np.uint64(32)
+        result = below(draw, np.uint64(walls.line_holds[first]))
+    return result
+
+
 @kernel
 def held_back(
     walls: Walls, run: int, key: np.uint64, steps: Steps, position: np.uint8, cell: np.uint64, opened: np.uint64
 ) -> np.uint64:
     """What is left of the open edges of a cell once the breaks beside it have done their work.
 
-    The probability of an edge into a cell that holds is multiplied by `residual`; the draw stays the same.
+    The probability of an edge into a cell that holds, or across a line that does, is multiplied by `residual`; the
+    draw stays the same.
     """
     for d in range(8):
         bit = np.uint64(8 * d + 7)
-        if (opened >> bit) & _ONE and stands(walls, run, cell + steps.offsets[position, d]):
+        if not (opened >> bit) & _ONE:
+            continue
+        target = cell + steps.offsets[position, d]
+        if stands(walls, run, target) or parted(walls, run, cell, target, d):
             passes = False
             if walls.residual > np.float32(0):
                 left = np.float32(walls.probability[d, cell] * walls.residual)

@@ -34,6 +34,7 @@ from firebreak_gis.stakes import checked_amounts
 if TYPE_CHECKING:
     import xarray as xr
 
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.weather import WeatherNetworks
 
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
 def simulate(
     network: SpreadNetwork,
     *,
-    breaks: np.ndarray | xr.DataArray | None = None,
+    breaks: np.ndarray | xr.DataArray | LineBreaks | None = None,
     residual: float = 0.0,
     value: np.ndarray | xr.DataArray | None = None,
     ignitions: Any = None,
@@ -68,8 +69,8 @@ def simulate(
     network
         The spread network before cutting.
     breaks
-        (y, x), above 0 where the fuel is cut. Ignitions are drawn before cutting; one that falls on a cut
-        cell burns nothing.
+        (y, x), above 0 where the fuel is cut; or lines with a width, from `line_breaks`. Ignitions are drawn before
+        cutting; one that falls on a cut cell burns nothing.
     residual
         Share of its spread probability that a treated cell keeps; 0 is a perfect break.
     value
@@ -169,7 +170,7 @@ def burn(
     network: SpreadNetwork,
     request: FireRequest,
     *,
-    breaks: np.ndarray | xr.DataArray | None = None,
+    breaks: np.ndarray | xr.DataArray | LineBreaks | None = None,
     value: np.ndarray | xr.DataArray | None = None,
     weather: WeatherNetworks | None = None,
     barriers: np.ndarray | xr.DataArray | None = None,

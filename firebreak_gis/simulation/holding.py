@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.lattice import NEVER, STEP_LENGTH
 from firebreak_gis.network import neighbour
 
@@ -215,13 +216,20 @@ def chances(network: SpreadNetwork, cut: np.ndarray, hold: Hold, intensity: np.n
         (rows, cols) [kW/m]; needed where it goes by flames. Of the fire before the break: the mean over the fuel of the
         block, also of that which is cut.
     """
+    width = cut if hold.share is not None else widths(cut, network.grid.cell_size)
+    return chances_by_width(network, width, hold, intensity)
+
+
+def chances_by_width(
+    network: SpreadNetwork, width: np.ndarray, hold: Hold, intensity: np.ndarray | None = None
+) -> np.ndarray:
+    """Probability that a break of some width [m] holds in a run, 0 where it is 0; all else as in `chances`."""
     if hold.share is not None:
-        return np.where(cut, hold.share, 0.0)
+        return np.where(width > 0, hold.share, 0.0)
     mean, trees = fire_before(network, hold, intensity)
-    width = widths(cut, network.grid.cell_size)
     if hold.rule == "flames":
-        return np.where(cut & (width >= hold.flames * flame_length(mean)), 1.0, 0.0)
-    return np.where(cut, 1.0 - breach(mean, width, trees=trees), 0.0)
+        return np.where((width > 0) & (width >= hold.flames * flame_length(mean)), 1.0, 0.0)
+    return np.where(width > 0, 1.0 - breach(mean, width, trees=trees), 0.0)
 
 
 def fire_before(
@@ -256,7 +264,7 @@ def build_walls(
     network: SpreadNetwork,
     keys: np.ndarray,
     *,
-    breaks: np.ndarray | xr.DataArray | None,
+    breaks: np.ndarray | xr.DataArray | LineBreaks | None,
     residual: float,
     hold: Hold,
     barriers: np.ndarray | xr.DataArray | None = None,
@@ -272,7 +280,7 @@ def build_walls(
     keys
         (n_runs,) uint64 keys of the runs for the purpose `hold`.
     breaks
-        (y, x), above 0 where the fuel is cut; or None.
+        (y, x), above 0 where the fuel is cut; or lines; or None.
     residual
         Share of its spread probability that a treated cell keeps where it holds.
     hold
@@ -285,26 +293,37 @@ def build_walls(
     intensity
         As in `chances`.
     """
-    from firebreak_gis.kernels.draws import CERTAIN
     from firebreak_gis.kernels.walls import Walls
 
     n_cells = network.burnable.size
     probability = network.probability.reshape(8, n_cells)
+    none, no_links = np.zeros(0, np.uint32), np.zeros(0, np.uint8)
     if breaks is None and barriers is None:
-        none = np.zeros(0, np.uint32)
-        return Walls(np.zeros(0, bool), none, none, keys, np.float32(residual), probability)
-    cut = np.zeros(network.shape, bool) if breaks is None else network.mask(breaks, "breaks")
-    chance = chances(network, cut, hold, intensity)
+        return Walls(np.zeros(0, bool), none, none, keys, np.float32(residual), probability, no_links, none)
+    near = np.zeros(network.shape, bool)
+    chance = np.zeros(network.shape)
+    crossed, line_holds = no_links, none
+    if isinstance(breaks, LineBreaks):
+        network.grid.require(breaks.grid, "the lines")
+        crossed = breaks.crossed.ravel()
+        line_holds = _digits(chances_by_width(network, breaks.width, hold, intensity))
+        near |= breaks.crossed > 0
+    elif breaks is not None:
+        chance = chances(network, network.mask(breaks, "breaks"), hold, intensity)
     stretch = 2 * stretches(network.shape, network.grid.cell_size, hold.length)
     if barriers is not None:
         barrier = network.mask(barriers, "barriers") & (chance < barriers_hold)
         chance = np.where(barrier, barriers_hold, chance)
         stretch += barrier.astype(np.uint32)
-        cut = cut | barrier
-    holds = np.where(chance >= 1.0, CERTAIN, np.minimum(np.floor(chance * 2.0**32 + 0.5), 2.0**32 - 2)).astype(
-        np.uint32
-    )
-    near = np.zeros(network.shape, bool)
+    holds = _digits(chance)
     for d in range(8):
-        near |= neighbour(holds > 0, d, network.boundary)
-    return Walls(near.ravel(), holds.ravel(), stretch.ravel(), keys, np.float32(residual), probability)
+        near |= neighbour(holds.reshape(network.shape) > 0, d, network.boundary)
+    return Walls(near.ravel(), holds, stretch.ravel(), keys, np.float32(residual), probability, crossed, line_holds)
+
+
+def _digits(chance: np.ndarray) -> np.ndarray:
+    """Chances as `draws.digits_of` tells them, (n_cells,) uint32."""
+    from firebreak_gis.kernels.draws import CERTAIN
+
+    whole = np.minimum(np.floor(chance * 2.0**32 + 0.5), 2.0**32 - 2)
+    return np.where(chance >= 1.0, CERTAIN, whole).astype(np.uint32).ravel()

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from firebreak_gis.kernels.arrival import Clock, Workspace
     from firebreak_gis.kernels.draws import Thresholds
     from firebreak_gis.kernels.tally import Tally
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.ignitions import Ignitions
     from firebreak_gis.simulation.request import FireRequest
@@ -80,7 +81,7 @@ def burn_timed(
     start: Ignitions,
     limits: np.ndarray,
     *,
-    breaks: np.ndarray | xr.DataArray | None,
+    breaks: np.ndarray | xr.DataArray | LineBreaks | None,
     barriers: np.ndarray | xr.DataArray | None,
     value: np.ndarray | Callable[[Group], np.ndarray] | None,
     weather: WeatherNetworks | None,

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.threads import run_pieces, thread_count
 
@@ -32,7 +33,7 @@ def burn_all(
     network: SpreadNetwork,
     request: FireRequest,
     start: Ignitions,
-    breaks: np.ndarray | xr.DataArray | None,
+    breaks: np.ndarray | xr.DataArray | LineBreaks | None,
     value: np.ndarray | None,
     threads: int | None,
     progress: Progress | None,
@@ -63,7 +64,9 @@ def burn_all(
     n_runs, seed, residual = request.n_runs, request.seed, request.residual
     cells = start.cells
     burnt_network = network
-    if breaks is not None:
+    if isinstance(breaks, LineBreaks):
+        burnt_network = breaks.parted(network, residual=residual)
+    elif breaks is not None:
         burnt_network = network.treated(breaks, residual=residual)
         if residual == 0.0:
             cells = np.where(network.mask(breaks, "breaks").ravel()[cells], -1, cells)

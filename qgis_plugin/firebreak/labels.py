@@ -17,6 +17,7 @@ LABELS: Mapping[str, str] = {
     "network": "Spread network",
     "priority": "Cutting priority",
     "mask": "Fire breaks",
+    "line_width": "Width of breaks that are lines [m], narrower than a cell too",
     "budget": "Budget (by default a share of the fuel)",
     "budget_unit": "Unit of the budget",
     "refine": "Improve the breaks on simulated fires (takes longer)",

@@ -10,9 +10,17 @@ import pandas as pd
 import pytest
 import rasterio
 from click.testing import CliRunner
-from shapely.geometry import Point
+from shapely.geometry import LineString, Point
 
-from firebreak_gis import read_weather, simulate, spread_network, weather_networks, write_raster, write_vector
+from firebreak_gis import (
+    line_breaks,
+    read_weather,
+    simulate,
+    spread_network,
+    weather_networks,
+    write_raster,
+    write_vector,
+)
 from firebreak_gis.cli import firebreak
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape import read_landscape_folder, write_landscape
@@ -216,3 +224,35 @@ def test_a_network_without_times_refuses_a_clock(folder):
     for words in (["--duration", "8h"], ["--products", folder / "none"], ["--embers", "on"]):
         outcome = run("burn", folder / "still.tif", "-o", folder / "never.tif", *words, code=3)
         assert "travel times" in outcome.output
+
+
+def test_lines_with_a_width_stop_fires_and_keep_their_fuel(folder):
+    network = read_network(folder / "net.tif")
+    x = float(network.grid.x[20]) + network.grid.cell_size / 3
+    wall = LineString([(x, network.grid.y[0] + 100), (x, network.grid.y[-1] - 100)])
+    write_vector(folder / "wall.gpkg", gpd.GeoDataFrame({"wide": [9.0]}, geometry=[wall], crs=network.grid.crs))
+    words = ("burn", folder / "net.tif", "--breaks", folder / "wall.gpkg", "--duration", "6h", "--runs", 60, "--json")
+    found = {}
+    for name, more in {"cells": (), "lines": ("--line-width", "9m"), "column": ("--line-width", "wide")}.items():
+        found[name] = json.loads(run(*words, "-o", folder / f"{name}.tif", *more).stdout)
+        with rasterio.open(folder / f"{name}.tif") as file:
+            found[name]["burnt"] = file.read(1, masked=True).filled(np.nan)
+    np.testing.assert_array_equal(found["lines"]["burnt"], found["column"]["burnt"])
+    assert np.nanmax(found["cells"]["burnt"][:, 20]) == 0.0 < np.nanmax(found["lines"]["burnt"][:, 20])
+    expected = simulate(
+        network,
+        breaks=line_breaks(folder / "wall.gpkg", network.grid, width=9.0),
+        duration="6h",
+        n_runs=60,
+        seed=0,
+    )["burn_frequency"]
+    np.testing.assert_array_equal(found["lines"]["burnt"], expected)
+    flames = json.loads(run(*words, "-o", folder / "wilson.tif", "--line-width", "wide", "--hold", "flame").stdout)
+    assert flames["result"]["mean_ha"] > found["lines"]["result"]["mean_ha"]
+    for code, more, told in (
+        (2, ("--line-width", "-3"), "above 0"),
+        (3, ("--line-width", "depth"), "no column 'depth'"),
+        (2, ("--line-width", "3", "--breaks", folder / "cut.tif"), "raster"),
+    ):
+        assert told in run(*words, "-o", folder / "no.tif", *more, code=code).output
+    assert "--breaks" in run("burn", folder / "net.tif", "-o", folder / "no.tif", "--line-width", 3, code=2).output

@@ -58,6 +58,8 @@ class Fire:
         Duration [s].
     stands
         Treated cells that hold in the run.
+    parted
+        Pairs of cells, the lower number first, between which a line holds in the run.
     residual
         What they keep of their probability.
     embers, ember_key
@@ -70,6 +72,7 @@ class Fire:
     starts: list[int] = field(default_factory=lambda: [0])
     limit: float = math.inf
     stands: frozenset[int] = frozenset()
+    parted: frozenset[tuple[int, int]] = frozenset()
     residual: float = 0.0
     embers: object = None
     ember_key: int = 0
@@ -95,7 +98,7 @@ class Fire:
         for d, (down, right) in enumerate(_STEPS):
             target = ((row + down) % rows) * cols + (col + right) % cols
             p = self.network.probability[d, row, col]
-            if target in self.stands:
+            if target in self.stands or (min(cell, target), max(cell, target)) in self.parted:
                 p = np.float32(p * np.float32(self.residual))
             if p > 0 and is_open(self.key, cell, d, float(p)):
                 yield across(t, [int(each[d, row, col]) for each in self.times], self.starts), target

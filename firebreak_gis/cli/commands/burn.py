@@ -9,15 +9,16 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, weather_options
-from firebreak_gis.cli.layers import checked_fires, input_files, read_breaks
+from firebreak_gis.cli.layers import checked_fires, input_files, read_breaks, read_line_breaks
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
+from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
-    pass
+    from firebreak_gis.grid import Grid
 
 #: Place in the list of commands, which is the order of the work.
 STEP = 7
@@ -32,6 +33,13 @@ STEP = 7
     type=kinds.RASTER_OR_VECTOR,
     metavar="PATH",
     help="Cut cells: a raster (firebreak breaks), or own breaks as polygons or lines.",
+)
+@click.option(
+    "--line-width",
+    type=kinds.LINE_WIDTH,
+    metavar="METRES|COLUMN",
+    help="Take --breaks as lines of this width, such as 12m, or of the width in that column; they may be narrower than "
+    "a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].",
 )
 @click.option(
     "--barriers",
@@ -60,6 +68,7 @@ def command(
     spread: SpreadRequest,
     weather: WeatherRequest,
     mask: str | None,
+    line_width: float | str | None,
     barriers: str | None,
     sizes: str | None,
     products: str | None,
@@ -109,7 +118,7 @@ def command(
     burns = burn(
         untouched,
         checked_fires(fires, untouched, session),
-        breaks=read_breaks(mask, untouched.grid, session) if mask else None,
+        breaks=_breaks(mask, line_width, untouched.grid, session),
         barriers=mask_plane(barriers, untouched.grid, what="barriers", rule="touched", solid=True)
         if barriers
         else None,
@@ -122,6 +131,7 @@ def command(
     usual = ("ignitions", "ignition_mode", "n_runs", "residual")
     default = asdict(FireRequest(seed=fires.seed))
     told = {key: value for key, value in asdict(fires).items() if key in usual or value != default[key]}
+    told |= {} if line_width is None else {"line_width": line_width}
     tags = provenance({**told, "breaks": mask is not None}, seed=fires.seed)
     if not fires.timeless or networks:
         tags["assumptions"] = "; ".join(assumptions)
@@ -153,6 +163,17 @@ def command(
         f"{cells.size} runs, mean burnt share {100 * share:.1f} %, mean fire {hectares.mean():.4g} ha; "
         f"{'; '.join(assumptions)}; written to {', '.join(files)}",
     )
+
+
+def _breaks(source: str | None, line_width: float | str | None, grid: Grid, session: Session) -> Any:
+    """What is cut: cells, lines, or None."""
+    if source is None:
+        if line_width is not None:
+            raise ParameterError("--line-width is that of the lines in --breaks; give them too")
+        return None
+    if line_width is not None:
+        return read_line_breaks(source, grid, line_width, session)
+    return read_breaks(source, grid, session)
 
 
 def _told(source: str | None, networks: Any) -> list[str]:

@@ -1,0 +1,266 @@
+"""Lines with a width in metres: the links that they cross, and the fires that they stop."""
+
+from __future__ import annotations
+
+import math
+
+import geopandas as gpd
+import numpy as np
+import pytest
+import shapely
+from affine import Affine
+
+import firebreak_gis as fb
+from firebreak_gis import SpreadNetwork, simulate
+from firebreak_gis.errors import GridError, InputError, ParameterError
+from firebreak_gis.grid import Grid, parse_crs
+from firebreak_gis.kernels import draws
+from firebreak_gis.landscape.lines import LineBreaks, line_breaks, links_crossed
+from firebreak_gis.lattice import COL_STEP, NEVER, OPPOSITE, ROW_STEP
+from firebreak_gis.network import neighbour
+from firebreak_gis.simulation.embers import Embers
+from firebreak_gis.simulation.holding import Hold, breach, fire_before, stretches
+from firebreak_gis.simulation.products import Products
+from tests.twins.arrival import Fire
+from tests.twins.percolation import word
+
+CRS = parse_crs("EPSG:32635")
+PLACE = Affine(20, 0, 586_440, 0, -20, 3_999_900)
+EACH = Products(arrivals=True)
+
+
+def grid_of(shape):
+    return Grid(shape, PLACE, CRS)
+
+
+def drawn(lines, grid, width=8.0):
+    """Lines in (column, row) coordinates as a frame in the CRS of the grid."""
+    t = grid.transform
+    on_map = [[(t.c + t.a * x, t.f + t.e * y) for x, y in line] for line in lines]
+    frame = gpd.GeoDataFrame(geometry=[shapely.LineString(line) for line in on_map], crs=grid.crs)
+    return frame.assign(width_m=width)
+
+
+def wild(seed, shape, n=4, whole=False):
+    """Random polylines, some vertices on centres and corners of cells if `whole`."""
+    random = np.random.default_rng(seed)
+    lines = [random.uniform(-1.0, [shape[1] + 1.0, shape[0] + 1.0], (random.integers(2, 6), 2)) for _ in range(n)]
+    return [np.round(2 * line) / 2 if whole else line for line in lines]
+
+
+def network_of(seed, shape=(17, 22)):
+    random = np.random.default_rng(seed)
+    return SpreadNetwork(
+        random.uniform(0.2, 0.7, (8, *shape)),
+        burnable=random.random(shape) > 0.08,
+        travel_time=random.integers(40, 900, (8, *shape)),
+        heat=random.uniform(5_000, 50_000, shape),
+        crs=CRS,
+        transform=PLACE,
+    )
+
+
+def breaks_of(seed, network, n=4, width=8.0):
+    return line_breaks(drawn(wild(seed, network.shape, n), network.grid, width), network.grid, width="width_m")
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_links_crossed_are_those_that_shapely_crosses(seed):
+    grid = grid_of((13, 17))
+    lines = wild(seed, grid.shape)
+    found, width = links_crossed(drawn(lines, grid), grid)
+    whole = shapely.MultiLineString([np.rint(line * 4096) / 4096 for line in lines])
+    for row in range(13):
+        for col in range(17):
+            for d in range(8):
+                r, c = row + ROW_STEP[d], col + COL_STEP[d]
+                link = shapely.LineString([(col + 0.5, row + 0.5), (c + 0.5, r + 0.5)])
+                inside = 0 <= r < 13 and 0 <= c < 17
+                assert bool(found[row, col] >> d & 1) == (inside and link.crosses(whole)), (row, col, d)
+    forward = sum((found >> d & 1) for d in (2, 3, 4, 5)) > 0
+    np.testing.assert_array_equal(width, np.where(forward, 8.0, 0.0))
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_links_are_crossed_from_both_ends_also_where_lines_touch_centres(seed):
+    grid = grid_of((9, 11))
+    found, _ = links_crossed(drawn(wild(seed, grid.shape, whole=True), grid), grid)
+    assert found.any()
+    for d in range(8):
+        np.testing.assert_array_equal(found >> d & 1, neighbour(found >> OPPOSITE[d] & 1, d))
+
+
+@pytest.mark.parametrize(
+    "ring",
+    [
+        [(2.5, 2.5), (8.5, 2.5), (8.5, 6.5), (2.5, 6.5), (2.5, 2.5)],  # through centres
+        [(5.5, 0.5), (9.5, 4.5), (5.5, 8.5), (1.5, 4.5), (5.5, 0.5)],  # along diagonal links
+        [(2.0, 2.0), (8.0, 2.0), (8.0, 7.0), (2.0, 7.0), (2.0, 2.0)],  # through corners
+        [(1.1, 2.5), (9.7, 1.5), (8.5, 7.9), (3.5, 6.5), (1.1, 2.5)],
+    ],
+)
+def test_a_closed_line_lets_no_fire_out(ring):
+    grid = grid_of((9, 11))
+    network = SpreadNetwork(np.ones((8, 9, 11)), crs=CRS, transform=PLACE)
+    breaks = line_breaks(drawn([ring], grid), grid, width=5.0)
+    burns = simulate(network, breaks=breaks, ignitions=(grid.x[5], grid.y[4]), ignition_mode="each", n_runs=1)
+    inside = int(burns["fire_size"][0])
+    assert 0 < inside < 99
+    out = simulate(network, breaks=breaks, ignitions=(grid.x[0], grid.y[0]), n_runs=1)
+    assert int(out["fire_size"][0]) == 99 - inside
+
+
+def test_a_line_through_centres_counts_as_just_west_or_north_of_them():
+    grid = grid_of((3, 3))
+    crossed, _ = links_crossed(drawn([[(1.5, -1), (1.5, 4)]], grid), grid)
+    assert [int(v) for v in crossed[1]] == [0b00001110, 0b11100000, 0]
+    crossed, _ = links_crossed(drawn([[(-1, 1.5), (4, 1.5)]], grid), grid)
+    assert [int(v) for v in crossed[:, 1]] == [0b00111000, 0b10000011, 0]
+
+
+def keyed_holds(breaks, key, hold, block, chance, network):
+    """Pairs of cells between which a line holds in a run, in plain Python."""
+    held = set()
+    for cell in range(breaks.crossed.size):
+        row, col = divmod(cell, network.shape[1])
+        for d in (2, 3, 4, 5):
+            if breaks.crossed[row, col] >> d & 1:
+                draw = word(key, 2 * int(block[row, col])) >> 32
+                if chance[row, col] >= 1 or draw < round(float(chance[row, col]) * 2**32):
+                    held.add((cell, (row + ROW_STEP[d]) * network.shape[1] + col + COL_STEP[d]))
+    return frozenset(held)
+
+
+@pytest.mark.parametrize("hold", [Hold(1.0), Hold(0.5, length=60.0), Hold(share=None, length=100.0)])
+@pytest.mark.parametrize("residual", [0.0, 0.4])
+def test_fires_with_lines_are_those_of_the_twin(hold, residual):
+    network = network_of(3)
+    breaks = breaks_of(4, network, width=np.array([2.0, 9.0, 15.0, 40.0]))
+    cell = int(np.flatnonzero(network.burnable)[150])
+    burns = simulate(
+        network,
+        breaks=breaks,
+        hold=hold,
+        residual=residual,
+        ignitions=(network.grid.x[cell % 22], network.grid.y[cell // 22]),
+        n_runs=40,
+        seed=3,
+        duration=3000,
+        products=EACH,
+    )
+    edges, holds = draws.run_keys(3, "edges", 40), draws.run_keys(3, "hold", 40)
+    block = stretches(network.shape, 20.0, hold.length)
+    chance = np.full(network.shape, 1.0 if hold.share is None else hold.share)
+    if hold.share is None:
+        intensity, trees = fire_before(network, hold)
+        chance = 1.0 - breach(intensity, breaks.width, trees=trees)
+    stopped = 0
+    for run in range(40):
+        held = keyed_holds(breaks, int(holds[run]), hold, block, chance, network)
+        given = {"key": int(edges[run]), "times": [network.travel_time], "limit": 3000, "residual": residual}
+        expected = Fire(network, parted=held, **given).burn({cell: 0})
+        found = burns["arrival"][run].to_numpy().ravel()
+        assert {c: int(found[c]) for c in np.flatnonzero(found != NEVER).tolist()} == expected
+        stopped += len(Fire(network, **given).burn({cell: 0})) > len(expected)
+    assert stopped > 5
+
+
+@pytest.mark.parametrize("hold", [Hold(1.0), Hold(0.5, length=60.0), Hold(None, 100.0), Hold(None, 100.0, "flames")])
+@pytest.mark.parametrize("residual", [0.0, 0.3])
+def test_more_lines_never_burn_any_cell_earlier(hold, residual):
+    network = network_of(8)
+    lines = drawn(wild(9, network.shape, 8), network.grid, np.linspace(3.0, 40.0, 8))
+    earlier, slower = None, 0
+    for n in (1, 3, 8):
+        found = simulate(
+            network,
+            breaks=line_breaks(lines[:n], network.grid, width="width_m"),
+            residual=residual,
+            hold=hold,
+            embers=Embers(rate=20_000.0, wind_speed=5.0, wind_from_direction=10.0),
+            duration="lognormal:40min,0.5",
+            n_runs=60,
+            seed=6,
+            products=EACH,
+        )["arrival"].to_numpy()
+        if earlier is not None:
+            assert (found >= earlier).all()
+            slower += int((found > earlier).sum())
+        earlier = found
+    assert slower > 200
+
+
+def test_runs_with_lines_do_not_depend_on_threads_or_on_how_they_are_split():
+    network = network_of(5)
+    given = {"breaks": breaks_of(6, network), "hold": 0.5, "duration": 2000, "seed": 2, "products": EACH}
+    whole = simulate(network, n_runs=30, threads=1, **given)
+    np.testing.assert_array_equal(simulate(network, n_runs=30, threads=2, **given)["arrival"], whole["arrival"])
+    late = simulate(network, n_runs=10, first_run=20, **given)
+    np.testing.assert_array_equal(late["arrival"], whole["arrival"][20:])
+
+
+@pytest.mark.parametrize("residual", [0.0, 0.3])
+def test_without_a_clock_lines_are_those_of_the_slow_path(residual):
+    network = network_of(7)
+    given = {"breaks": breaks_of(6, network), "residual": residual, "n_runs": 100, "seed": 2}
+    fast = simulate(network, **given)
+    slow = simulate(network, **given, hold=Hold(1.0), products=EACH)
+    tally = (slow["arrival"].to_numpy() != NEVER).sum(axis=(1, 2))
+    np.testing.assert_array_equal(tally, fast["fire_size"])
+    assert fast["fire_size"].sum() < simulate(network, n_runs=100, seed=2)["fire_size"].sum()
+
+
+def test_a_line_and_a_break_of_the_same_block_hold_or_fail_together():
+    network = SpreadNetwork(np.ones((8, 5, 40)), travel_time=np.full((8, 5, 40), 60), crs=CRS, transform=PLACE)
+    line = line_breaks(drawn([[(20.0, -1), (20.0, 6)]], network.grid), network.grid, width=4.0)
+    cells = np.zeros(network.shape, bool)
+    cells[:, 20] = True
+    given = {"hold": "0.5:10000", "ignitions": (network.grid.x[3], network.grid.y[2]), "n_runs": 60, "seed": 1}
+    by_line, by_cells = (simulate(network, breaks=breaks, **given)["fire_size"].to_numpy() for breaks in (line, cells))
+    np.testing.assert_array_equal(by_line == 100, by_cells == 100)
+    assert 10 < (by_line == 100).sum() < 50
+    assert set(by_line.tolist()) == {100, 200}  # the ground under the line stays fuel
+
+
+def test_wide_lines_hold_by_the_flames_that_narrow_ones_do_not():
+    network = SpreadNetwork(
+        np.ones((8, 5, 40)),
+        travel_time=np.full((8, 5, 40), 60),
+        heat=np.full((5, 40), 10_000.0),
+        crs=CRS,
+        transform=PLACE,
+    )
+    flame = 0.0775 * (10_000 * math.hypot(20, 20) / 60) ** 0.46
+    given = {"hold": "flame:flames", "ignitions": (network.grid.x[3], network.grid.y[2]), "n_runs": 1}
+    for share, size in ((1.49, 200), (1.51, 100)):
+        breaks = line_breaks(drawn([[(20.2, -1), (19.8, 6)]], network.grid), network.grid, width=share * flame)
+        assert int(simulate(network, breaks=breaks, **given)["fire_size"][0]) == size
+
+
+def test_width_comes_from_a_number_or_a_column_and_makes_the_area(tmp_path):
+    network = network_of(1)
+    lines = drawn([[(2, 2), (5, 6)], [(1, 9), (12, 9)]], network.grid, np.array([6.0, 30.0]))
+    lines.to_file(tmp_path / "lines.gpkg")
+    own = line_breaks(tmp_path / "lines.gpkg", network.grid, width="width_m")
+    assert own.area_ha == pytest.approx((100 * 6 + 220 * 30) / 10_000)
+    assert set(np.unique(own.width).tolist()) == {0.0, 6.0, 30.0}
+    same = line_breaks(tmp_path / "lines.gpkg", network.grid, width=12.0)
+    np.testing.assert_array_equal(own.crossed, same.crossed)
+    assert same.area_ha == pytest.approx(320 * 12 / 10_000)
+    with pytest.raises(InputError, match=r"no column 'depth'.*width_m"):
+        line_breaks(lines, network.grid, width="depth")
+    with pytest.raises(ParameterError, match="width of 1 of 2 lines"):
+        line_breaks(lines.assign(width_m=[3.0, 0.0]), network.grid, width="width_m")
+    with pytest.raises(ParameterError, match="-2"):
+        line_breaks(lines, network.grid, width=-2.0)
+    with pytest.raises(InputError, match="no numbers"):
+        line_breaks(lines.assign(width_m=["wide", "thin"]), network.grid, width="width_m")
+    with pytest.raises(InputError, match="lines only"):
+        line_breaks(lines.assign(geometry=lines.buffer(5)), network.grid, width=3.0)
+    with pytest.raises(InputError, match="crosses no link"):
+        line_breaks(lines.translate(50_000), network.grid, width=3.0)
+    other = LineBreaks(own.lines, own.crossed, own.width, Grid(network.shape, Affine(40, 0, 0, 0, -40, 0), CRS))
+    for hold in (None, 0.5):
+        with pytest.raises(GridError, match="lines"):
+            simulate(network, breaks=other, hold=hold, n_runs=1)
+    assert fb.line_breaks is line_breaks
