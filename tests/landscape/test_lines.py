@@ -220,6 +220,9 @@ def test_a_line_and_a_break_of_the_same_block_hold_or_fail_together():
     np.testing.assert_array_equal(by_line == 100, by_cells == 100)
     assert 10 < (by_line == 100).sum() < 50
     assert set(by_line.tolist()) == {100, 200}  # the ground under the line stays fuel
+    # A barrier beside it that fails is drawn apart.
+    failing = simulate(network, breaks=line, barriers=cells | np.roll(cells, -1, 1), barriers_hold=1e-9, **given)
+    np.testing.assert_array_equal(failing["fire_size"], by_line)
 
 
 def test_wide_lines_hold_by_the_flames_that_narrow_ones_do_not():
