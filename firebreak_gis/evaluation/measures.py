@@ -10,7 +10,7 @@ import numpy as np
 WORST = 0.1
 #: Bootstrap samples, and the percentiles that bound an interval.
 _RESAMPLES = 500
-_BOUNDS = (2.5, 97.5)
+BOUNDS = (2.5, 97.5)
 
 
 def resamples(n_runs: int, seed: int) -> np.ndarray:
@@ -61,7 +61,7 @@ def judge(
     }
     row: dict[str, float] = {}
     for name, (runs, measure) in measures.items():
-        low, high = np.percentile(measure(runs[picks]), _BOUNDS)
+        low, high = np.percentile(measure(runs[picks]), BOUNDS)
         row |= {name: float(measure(runs[None])[0]), f"{name}_low": float(low), f"{name}_high": float(high)}
     return row
 

@@ -84,6 +84,7 @@ def compare_plans(
     budgets: Sequence[float],
     residuals: Sequence[float] = (0.0, 0.05, 0.1),
     value: np.ndarray | None = None,
+    cost: np.ndarray | None = None,
     ground: Ground | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
@@ -106,6 +107,8 @@ def compare_plans(
         Shares of its spread probability that a treated cell keeps; 0 is a perfect break.
     value
         (rows, cols) value lost when the cell burns; without it every cell counts 1.
+    cost
+        (rows, cols) cost of cutting the cell, in the unit of the value; without it every cell costs 1.
     ground
         Where the fires burn, if that is not `network`.
     threads, progress
@@ -115,7 +118,8 @@ def compare_plans(
     -------
     xarray.Dataset
         `burnt` (ranking, budget, residual, run) cells burnt, `lost` likewise value lost, `burnt_untreated`,
-        `lost_untreated` (run), `cells_cut` (budget).
+        `lost_untreated` (run), `cells_cut` (budget), `cost` (ranking, budget, residual). The attribute `priced` tells
+        whether costs and values were given.
 
     Notes
     -----
@@ -135,7 +139,8 @@ def compare_plans(
     ground = ground or Ground(network)
     untreated = _fires(ground, fresh, None, worth, threads, part(report, 0.0, 0.02, "untreated: "))
     shape = (len(priorities), len(budgets), len(residuals), fires.n_runs)
-    burnt, lost = np.zeros(shape), np.zeros(shape)
+    burnt, lost, paid = np.zeros(shape), np.zeros(shape), np.zeros(shape[:3])
+    price = network.burnable.astype(np.float64) if cost is None else cost
     steps = [(i, j) for i in range(len(priorities)) for j in range(len(residuals))]
     for n, (i, j) in enumerate(steps):
         (label, priority), residual = list(priorities.items())[i], residuals[j]
@@ -147,10 +152,13 @@ def compare_plans(
             else priority
             for k, b in enumerate(budgets)
         ]
+        cuts = [select_breaks(p, budget=b, burnable=network.burnable) for p, b in zip(ranked, budgets, strict=True)]
+        paid[i, :, j] = [price[cut.to_numpy() > 0].sum() for cut in cuts]
         burnt[i, :, j], lost[i, :, j] = _burn(
             network,
             ground,
             ranked,
+            cuts,
             budgets,
             replace(fresh, residual=residual),
             None if value is None else worth,
@@ -166,6 +174,7 @@ def compare_plans(
             "burnt_untreated": ("run", untreated["fire_size"].to_numpy()),
             "lost_untreated": ("run", untreated["value_lost"].to_numpy()),
             "cells_cut": ("budget", cut),
+            "cost": (dims[:3], paid),
         },
         coords={"ranking": list(priorities), "budget": budgets, "residual": residuals},
         attrs={
@@ -173,6 +182,7 @@ def compare_plans(
             "cell_area_ha": network.grid.cell_area_ha,
             "n_runs": fires.n_runs,
             "fire_seed": fresh.seed,
+            "priced": value is not None and cost is not None,
         },
     )
 
@@ -201,6 +211,7 @@ def _burn(
     network: SpreadNetwork,
     ground: Ground,
     ranked: list[Any],
+    cuts: list[xr.DataArray],
     budgets: Sequence[float],
     fires: FireRequest,
     value: np.ndarray | None,
@@ -215,8 +226,7 @@ def _burn(
             network, ranked, fires, budgets=budgets, ground=ground, threads=threads, progress=progress
         ).T
         return burnt, burnt
-    for k, (priority, budget) in enumerate(zip(ranked, budgets, strict=True)):
-        breaks = select_breaks(priority, budget=budget, burnable=network.burnable)
+    for k, breaks in enumerate(cuts):
         step = part(progress, k / len(budgets), (k + 1) / len(budgets))
         run = _fires(ground, fires, breaks, value, threads, step)
         burnt[k] = run["fire_size"]

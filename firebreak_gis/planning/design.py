@@ -187,8 +187,9 @@ class Designs:
         seed: int = 0,
         keep: int | None = None,
     ) -> None:
-        self._network, self._method, self._stakes, self._seed = network, method, stakes, seed
+        self._network, self._stakes = network, stakes
         self._module = plugins.load("ranking", method)
+        self._rank = ranking.rankings(network, method, stakes=stakes, seed=seed)
         self._params, self._width, self._keep = dict(params or {}), width, keep
         self._planes = {"elevation": elevation, "roads": roads}
         self._made: dict[tuple[Any, ...], xr.DataArray] = {}
@@ -224,14 +225,7 @@ class Designs:
         return tuple(getattr(params, f.name) for f in fields(params) if not f.metadata["raster"])
 
     def _make(self, budget: Budget, residual: float, progress: Progress) -> xr.DataArray:
-        priority = ranking.rank(
-            self._network,
-            self._method,
-            stakes=self._stakes,
-            seed=self._seed,
-            progress=progress,
-            **self._every(budget, residual),
-        )
+        priority = self._rank(self._every(budget, residual), progress)
         if self._width > 1 and not plugins.asks_for(self._module, "least_width"):
             wide = thickened(removal_order(priority), self._network, self._stakes, self._width)
             priority = priority.copy(data=wide)

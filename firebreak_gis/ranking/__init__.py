@@ -7,11 +7,17 @@ A method file holds a frozen dataclass `Params` and
 and needs no registration: its file name is its name. `stakes` holds costs, protected cells, values at risk and
 where fires start; a method uses what it can. Cells without fuel and protected cells get -inf here, whatever the
 method returned for them. A method whose result depends on how ties between equally good plans are broken says so
-by `UNIQUE = False`. `rank` below is the only way in. What is done here, network science calls dismantling.
+by `UNIQUE = False`. A method whose rankings for other parameters share work may have
+
+    rankings(network, *, stakes, seed) -> function of (params, progress) that returns what `rank` does
+
+beside it, which keeps what they share. `rank` and `rankings` below are the only ways in. What is done here, network
+science calls dismantling.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -69,20 +75,34 @@ def rank(
     -----
     Memory at the peak, beside the network: `methods.memory_of("ranking", method)`; the text of each method says more.
     """
+    return rankings(network, method, stakes=stakes or Stakes(network), seed=seed)(params, progress or silent)
+
+
+def rankings(
+    network: SpreadNetwork, method: str, *, stakes: Stakes, seed: int = 0
+) -> Callable[[Mapping[str, Any], Progress], xr.DataArray]:
+    """Return `rank` as a function of (parameters, progress), for many parameters; what they share is made once."""
     module = load("ranking", method)
-    values = build_params(module, params)
-    stakes = stakes or Stakes(network)
     if stakes.cost.shape != network.shape:
         raise GridError(f"stakes has shape {stakes.cost.shape}, expected {network.shape}; make it for this network")
-    scores = module.rank(network, values, stakes=stakes, seed=seed, progress=progress or silent)
-    priority = np.array(scores, dtype=np.float64)
-    if priority.shape != network.shape or np.isnan(priority[network.burnable]).any():
-        raise VerificationError(
-            f"ranking {method!r} returned shape {priority.shape} or NaN, expected {network.shape} without NaN"
-        )
-    priority[~network.burnable | stakes.protected] = -np.inf
-    if progress is not None:
-        progress(1.0, f"{method} done")
-    from firebreak_gis.schema import annotate
+    sharing = getattr(module, "rankings", None)
+    made = sharing(network, stakes=stakes, seed=seed) if sharing else None
 
-    return annotate(network.grid.dataarray(priority, "priority")).assign_attrs(method=method)
+    def one(params: Mapping[str, Any], progress: Progress) -> xr.DataArray:
+        from firebreak_gis.schema import annotate
+
+        values = build_params(module, params)
+        if made is None:
+            scores = module.rank(network, values, stakes=stakes, seed=seed, progress=progress)
+        else:
+            scores = made(values, progress)
+        priority = np.array(scores, dtype=np.float64)
+        if priority.shape != network.shape or np.isnan(priority[network.burnable]).any():
+            raise VerificationError(
+                f"ranking {method!r} returned shape {priority.shape} or NaN, expected {network.shape} without NaN"
+            )
+        priority[~network.burnable | stakes.protected] = -np.inf
+        progress(1.0, f"{method} done")
+        return annotate(network.grid.dataarray(priority, "priority")).assign_attrs(method=method)
+
+    return one

@@ -28,6 +28,8 @@ import numpy as np
 from firebreak_gis.plugins import parameter, require_width
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
     from firebreak_gis.stakes import Stakes
@@ -88,26 +90,43 @@ def _chooses(params: Params) -> bool:
 
 def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, progress: Progress) -> np.ndarray:
     """Return the order of cutting, (rows, cols) float64, highest first."""
+    return rankings(network, stakes=stakes, seed=seed)(params, progress)
+
+
+def rankings(network: SpreadNetwork, *, stakes: Stakes, seed: int) -> Callable[[Params, Progress], np.ndarray]:
+    """Return `rank` for any parameters: walls of one width are sought once, whatever the budget and the residual."""
     from firebreak_gis.placement.orientation import in_standard_orientation
     from firebreak_gis.placement.widening import best_width
 
-    require_width(__name__, params.width, params.least_width)
+    walls: dict[Params, np.ndarray] = {}
 
-    def standard(network: SpreadNetwork, stakes: Stakes, turn: object) -> np.ndarray:
-        if not _chooses(params) or not network.burnable.any():
-            return _walls_first(network, params, stakes, params.width or params.least_width, progress)
-        return best_width(
-            network,
-            stakes,
-            lambda width, step: _walls_first(network, params, stakes, width, step),
-            narrowest=params.least_width,
-            cost_share=params.cost_share,
-            residual=params.residual,
-            seed=seed,
-            progress=progress,
-        )[1]
+    def walled(network: SpreadNetwork, params: Params, stakes: Stakes, width: int, progress: Progress) -> np.ndarray:
+        key = Params(params.directions, params.smallest, width, residual=float(params.residual > 0.0))
+        if key not in walls:
+            walls[key] = _walls_first(network, params, stakes, width, progress)
+        progress(1.0, f"walls of {width} cells")
+        return walls[key]
 
-    return in_standard_orientation(network, stakes, standard)
+    def one(params: Params, progress: Progress) -> np.ndarray:
+        require_width(__name__, params.width, params.least_width)
+
+        def standard(network: SpreadNetwork, stakes: Stakes, turn: object) -> np.ndarray:
+            if not _chooses(params) or not network.burnable.any():
+                return walled(network, params, stakes, params.width or params.least_width, progress)
+            return best_width(
+                network,
+                stakes,
+                lambda width, step: walled(network, params, stakes, width, step),
+                narrowest=params.least_width,
+                cost_share=params.cost_share,
+                residual=params.residual,
+                seed=seed,
+                progress=progress,
+            )[1]
+
+        return in_standard_orientation(network, stakes, standard)
+
+    return one
 
 
 def _walls_first(network: SpreadNetwork, params: Params, stakes: Stakes, width: int, progress: Progress) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""The figure of `compare`: burnt share of every ranking at every budget, one panel a residual."""
+"""The figures of `compare`: burnt share of every ranking at every budget, and what is saved against what is paid."""
 
 from __future__ import annotations
 
@@ -70,6 +70,63 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
         ncols=math.ceil(len(labels) / math.ceil(len(labels) / 8)),
         fontsize=8,
         frameon=False,
+    )
+    return figure
+
+
+@own_looks
+def front_figure(front: pd.DataFrame, *, priced: bool, caption: str = "") -> Figure:
+    """Draw what plans save against what is paid for them, one panel a residual.
+
+    Parameters
+    ----------
+    front
+        As `evaluation.front.front_table` returns it.
+    priced
+        Whether costs and values are money; else hectares.
+    caption
+        What the numbers assume.
+    """
+    residuals = sorted(front["residual"].unique())
+    labels = list(dict.fromkeys(front["method"]))
+    figure = new_figure(4.6 * len(residuals) + 0.6, 5.4)
+    panels = figure.subplots(1, len(residuals), sharey=True, squeeze=False)[0]
+    unit = "money" if priced else "ha"
+    for axes, residual in zip(panels, residuals, strict=True):
+        here = front[front["residual"] == residual]
+        best = here.loc[(here["saved"] - here["paid"]).idxmax()]
+        for k, label in enumerate(labels):
+            rows = here[here["method"] == label].sort_values("paid")
+            colour, line = _look(label, k)
+            origin = {name: [0.0, *rows[name]] for name in ("paid", "saved", "saved_low", "saved_high")}
+            axes.plot(origin["paid"], origin["saved"], color=colour, ls=line, lw=1.6, label=label)
+            axes.fill_between(origin["paid"], origin["saved_low"], origin["saved_high"], color=colour, alpha=0.12, lw=0)
+            on = rows[rows["front"]]
+            axes.plot(on["paid"], on["saved"], "o", color=colour, ms=5)
+        reach = float(here["paid"].max())
+        axes.plot([0.0, reach], [0.0, reach], color="#222222", lw=0.8, ls=":", label="saves what it costs")
+        if best["stop"] > 0:
+            axes.axvline(best["stop"], color="#222222", lw=0.9)
+            axes.axvspan(best["stop_low"], best["stop_high"], color="#222222", alpha=0.07, lw=0)
+            axes.annotate(
+                f"{best['method']}: beyond this the next\n{'money' if priced else 'hectare'} saves less than it costs",
+                (best["stop"], 0.98),
+                xycoords=("data", "axes fraction"),
+                xytext=(4, 0),
+                textcoords="offset points",
+                va="top",
+                fontsize=7,
+            )
+        axes.set_title(f"residual {residual:g}", fontsize=10, loc="left", fontweight="bold")
+        axes.set_xlabel("paid" if priced else "cut [ha]", fontsize=9)
+        axes.set_xlim(0.0, 1.02 * reach)
+        axes.grid(color="#e6e6e6", lw=0.5)
+        axes.tick_params(labelsize=8)
+    panels[0].set_ylabel(f"saved [{unit}]; dots: no other saves as much for less", fontsize=9)
+    panels[0].set_ylim(bottom=min(0.0, 1.1 * float(front["saved"].min())))
+    caption_under(figure, caption, 60 * len(residuals))
+    figure.legend(
+        *panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=8, fontsize=8, frameon=False
     )
     return figure
 

@@ -24,6 +24,8 @@ from firebreak_gis.plugins import build_params, load
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import pandas as pd
     from matplotlib.figure import Figure
 
@@ -36,6 +38,8 @@ class _Compared:
     """What is written."""
 
     rows: pd.DataFrame
+    front: pd.DataFrame
+    priced: bool
     n_burnable: int
     cell_area_ha: float
     told: dict[str, list[str]]
@@ -51,18 +55,33 @@ class _Compared:
             caption=" ".join(self.told["assumptions"]),
         )
 
+    @cached_property
+    def front_figure(self) -> Figure:
+        from firebreak_gis.report.comparison import front_figure
 
-def _csv(compared: _Compared, path: Path, how: Writing) -> None:
-    from firebreak_gis.files import write_text
+        return front_figure(self.front, priced=self.priced, caption=" ".join(self.told["assumptions"]))
 
-    text = compared.rows.to_csv(index=False, lineterminator="\n", float_format="%.8g")
-    write_text(path, text, overwrite=how.overwrite)
+
+def _table(get: Callable[[_Compared], pd.DataFrame]) -> Callable[[_Compared, Path, Writing], object]:
+    def write(compared: _Compared, path: Path, how: Writing) -> None:
+        from firebreak_gis.files import write_text
+
+        text = get(compared).to_csv(index=False, lineterminator="\n", float_format="%.8g")
+        write_text(path, text, overwrite=how.overwrite)
+
+    return write
 
 
 def _picture(compared: _Compared, path: Path, how: Writing) -> None:
     from firebreak_gis.report.figures import save
 
     save(compared.figure, path, overwrite=how.overwrite)
+
+
+def _front_picture(compared: _Compared, path: Path, how: Writing) -> None:
+    from firebreak_gis.report.figures import save
+
+    save(compared.front_figure, path, overwrite=how.overwrite)
 
 
 def _page(compared: _Compared, path: Path, how: Writing) -> None:
@@ -81,9 +100,11 @@ def _told(compared: _Compared) -> dict[str, object]:
 
 #: What the command writes into its folder.
 OUTPUTS: tuple[Output[_Compared], ...] = (
-    Output("comparison.csv", "Every ranking at every budget and leak, with intervals", _csv),
+    Output("comparison.csv", "Every ranking at every budget and leak, with intervals", _table(lambda made: made.rows)),
     Output("comparison.png", "Curves of the rankings", _picture),
     Output("comparison.svg", "Curves of the rankings, to scale", _picture),
+    Output("front.csv", "What each step of each ranking costs and saves", _table(lambda made: made.front)),
+    Output("front.png", "Saved against paid, and where the next hectare stops paying", _front_picture),
     Output("report.html", "The comparison on one page; opens in any browser", _page, main=True),
     account("compare", _told),
 )
@@ -118,6 +139,14 @@ OUTPUTS: tuple[Output[_Compared], ...] = (
     metavar="LIST",
     help="Shares of its spread probability that a treated cell keeps, separated by commas; 0 is perfect.",
 )
+@click.option(
+    "--expected-fires",
+    type=float,
+    default=1.0,
+    show_default=True,
+    help="Fires that meet the breaks before they have grown back; what breaks save in one fire counts so often when "
+    "it is held against what they cost.",
+)
 @options.dem
 @stakes_options.stakes
 @filters.where
@@ -141,9 +170,13 @@ def command(
     method_list: list[parsing.Method],
     budgets: list[float],
     residuals: list[float],
+    expected_fires: float,
     dem: str | None,
 ) -> None:
     """Compare rankings on NETWORK: expected burnt area, value lost, worst fires and leverage, with intervals.
+
+    Also the front, what is saved against what is paid, and where the next hectare stops paying: where it saves less
+    than a hectare; with --cost and --values, less than its price.
 
     NETWORK is a file made by network, or the folder of a landscape made by align, with --wind-speed or --weather. Fires
     on a folder, or on a network with times, have a clock.
@@ -151,6 +184,7 @@ def command(
     Each plan is made for its budget and leak, as firebreak plan makes it. The fires are fresh: no plan was designed
     with them, and all burn in the same ones.
     """
+    from firebreak_gis.evaluation.front import front_table, require_fires, stops_told
     from firebreak_gis.files.outputs import write_all
     from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.planning.comparison import compare_plans, comparison_table
@@ -158,6 +192,7 @@ def command(
     from firebreak_gis.planning.scene import files_of, open_scene
     from firebreak_gis.progress import part
 
+    require_fires(expected_fires)
     named = (*fires.sources, *spread.sources, *weather.sources, *at_stake.sources)
     inputs = input_files([*files_of(network), dem, *named])
     how = require_outputs(output, OUTPUTS, inputs)
@@ -188,15 +223,22 @@ def command(
         budgets=budgets,
         residuals=residuals,
         value=placed.value if at_stake.values else None,
+        cost=placed.cost if placed.priced else None,
         ground=scene.ground(judged, barred, planes.barriers),
         progress=part(session.progress, 0.02, 0.97),
     )
     rows = comparison_table(result)
+    priced = bool(result.attrs["priced"])
+    front = front_table(result, n_fires=expected_fires)
+    headline = stops_told(front, priced=priced, n_fires=expected_fires)
     compared = _Compared(
         rows,
+        front,
+        priced,
         barred.n_burnable,
         barred.grid.cell_area_ha,
         {
+            "headline": headline,
             "alignment": [*laid.alignment, *read.alignment],
             "warnings": [*laid.warnings, *read.warnings, *judged.notes],
             "assumptions": list(judged.assumptions),
@@ -205,8 +247,8 @@ def command(
     files = write_all(OUTPUTS, compared, output.output, how, progress=part(session.progress, 0.97, 1.0))
     shown = rows.pivot_table(index="method", columns=["residual", "d_f"], values="R", sort=False)
     session.finish(
-        {"files": files, "assumptions": judged.assumptions},
-        f"{' '.join(judged.assumptions)}\nmean burnt share R by residual and d_f\n"
+        {"files": files, "headline": headline, "assumptions": judged.assumptions},
+        f"{' '.join(judged.assumptions)}\n{chr(10).join(headline)}\nmean burnt share R by residual and d_f\n"
         f"{shown.to_string(float_format='%.4f')}\nwritten to {output.output}",
     )
 
