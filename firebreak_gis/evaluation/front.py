@@ -138,7 +138,12 @@ def stops_told(table: pd.DataFrame, *, priced: bool, n_fires: float = 1.0) -> li
         step = "money" if priced else "hectare"
         own = rows[rows["method"] == best["method"]]
         if best["stop"] <= 0.0:
-            told.append(f"With {leak} no budget looked at pays in {fires}: each saves less than it costs.")
+            paying = rows[rows["saved"] > 0.0]
+            needed = n_fires * float((paying["paid"] / paying["saved"]).min()) if len(paying) else float("inf")
+            told.append(
+                f"With {leak} no budget looked at pays in {fires}: each saves less than it costs"
+                + (f"; the best pays from {needed:.2g} fires on." if np.isfinite(needed) else ".")
+            )
         elif best["stop"] >= own["paid"].max():
             told.append(
                 f"With {leak} {best['method']} saves most for what it costs ({fires}), and the next {step} still pays "

@@ -229,3 +229,24 @@ def test_whole_plans_keep_to_their_budget(make_landscape, seed, unit):
     else:
         assert 0 <= budget - cost[cut].sum() < 10.0
         assert made.summary["cost"] == pytest.approx(cost[cut].sum())
+
+
+def test_plans_of_one_landscape_share_their_walls(monkeypatch):
+    """Walls are sought once for each width and kind of leak, and the plans are those of `rank` made one by one."""
+    from firebreak_gis.ranking import dissection
+
+    network = random_network(5, shape=(14, 19))
+    sought = []
+    plain = dissection._walls_first
+
+    def counted(network, params, stakes, width, progress):
+        sought.append((width, params.residual > 0))
+        return plain(network, params, stakes, width, progress)
+
+    cases = [(share, residual) for share in (0.05, 0.2, 0.3) for residual in (0.0, 0.1, 0.2)]
+    alone = [rank(network, "dissection", residual=residual, cost_share=share).to_numpy() for share, residual in cases]
+    monkeypatch.setattr(dissection, "_walls_first", counted)
+    designs = Designs(network, "dissection", stakes=Stakes(network))
+    for (share, residual), expected in zip(cases, alone, strict=True):
+        assert np.array_equal(designs(share, residual, silent).to_numpy(), expected)
+    assert len(sought) == len(set(sought)) > 2
