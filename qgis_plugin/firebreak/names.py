@@ -43,6 +43,7 @@ RENAMED: Mapping[str, str] = {
     "burn_frequency_with_breaks.tif": "OUTPUT_FREQUENCY_WITH_BREAKS",
     "comparison.png": "OUTPUT_FIGURE",
     "comparison.svg": "OUTPUT_FIGURE_SVG",
+    "front.png": "OUTPUT_FRONT_FIGURE",
     "evaluation.png": "OUTPUT_FIGURE",
     "evaluation.svg": "OUTPUT_FIGURE_SVG",
     "table": "OUTPUT_FIRES",
