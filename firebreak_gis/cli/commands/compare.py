@@ -144,7 +144,7 @@ OUTPUTS: tuple[Output[_Compared], ...] = (
     type=float,
     default=1.0,
     show_default=True,
-    help="Fires that meet the breaks before they have grown back; what breaks save in one fire counts so often when "
+    help="Number of fires that meet the breaks before they have grown back; what breaks save in one fire counts so often when "
     "it is held against what they cost.",
 )
 @options.dem
