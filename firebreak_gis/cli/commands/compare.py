@@ -144,8 +144,8 @@ OUTPUTS: tuple[Output[_Compared], ...] = (
     type=float,
     default=1.0,
     show_default=True,
-    help="Number of fires that meet the breaks before they have grown back; what breaks save in one fire counts so often when "
-    "it is held against what they cost.",
+    help="Number of fires that meet the breaks before they have grown back; what breaks save in one fire counts so "
+    "often when it is held against what they cost.",
 )
 @options.dem
 @stakes_options.stakes
