@@ -83,17 +83,8 @@ class _Patches:
 
     def orders(self, cells: np.ndarray, directions: Sequence[int]) -> np.ndarray:
         """Cells sorted along each direction, (n_directions, n)."""
-        row, col = np.divmod(cells, self.shape[1])
         angles = np.pi * np.asarray(directions)[:, None] / self.directions
-        if self.periodic and (_spans(row, self.shape[0]) or _spans(col, self.shape[1])):
-            # On a torus a patch has no ends: from one side of the ring to the other.
-            row, col = (
-                np.cos(2.0 * np.pi * place / size + angles)
-                for place, size in ((row, self.shape[0]), (col, self.shape[1]))
-            )
-        # Rounded, so that cells in line tie whatever the arithmetic; ties go by number.
-        along = np.round(np.sin(angles) * row + np.cos(angles) * col, 6)
-        return np.argsort(along, axis=1, kind="stable")
+        return ordered(cells, self.shape, angles, periodic=self.periodic)
 
     def cut(self, cells: np.ndarray, directions: Sequence[int]) -> tuple[float, np.ndarray]:
         """Score and mask of the best wall over the directions."""
@@ -113,6 +104,29 @@ class _Patches:
 
     def loss(self, cells: np.ndarray) -> float:
         return float(self.ignition[cells].sum() * self.value[cells].sum())
+
+
+def ordered(cells: np.ndarray, shape: tuple[int, int], angles: np.ndarray, *, periodic: bool = False) -> np.ndarray:
+    """Positions of cells sorted along each of some directions, (n_directions, n) int64.
+
+    Parameters
+    ----------
+    cells
+        (n,) row-major numbers.
+    shape
+        (rows, cols).
+    angles
+        (n_directions, 1), from east to south.
+    periodic
+        Whether the grid is a torus.
+    """
+    row, col = np.divmod(cells, shape[1])
+    if periodic and (_spans(row, shape[0]) or _spans(col, shape[1])):
+        # On a torus a patch has no ends: from one side of the ring to the other.
+        row, col = (np.cos(2.0 * np.pi * place / size + angles) for place, size in ((row, shape[0]), (col, shape[1])))
+    # Rounded, so that cells in line tie whatever the arithmetic; ties go by number.
+    along = np.round(np.sin(angles) * row + np.cos(angles) * col, 6)
+    return np.argsort(along, axis=1, kind="stable")
 
 
 def _spans(places: np.ndarray, size: int) -> bool:

@@ -1,0 +1,322 @@
+"""Cut a landscape into compartments by nested minimum cuts of links: walls that are lines.
+
+As in `placement.dissection`, but what is cut are the links between neighbouring cells, so a wall is a line that may be
+narrower than a cell, and what it costs hardly depends on the direction of the lattice (`kernels.linkflow`). Each wall
+is drawn (`kernels.drawing`) as the shortest line between the cells of its two sides, and then pulled straight where
+that costs less. What counts is the drawn line: its length, its cost, and the links that it crosses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.kernels.crossings import PARTS, cross_links
+from firebreak_gis.kernels.drawing import channels, landings, lines_in, prices_of
+from firebreak_gis.kernels.flow import patch_links
+from firebreak_gis.kernels.linkflow import MOST, best_link_cut, link_costs, pieces_of
+from firebreak_gis.lattice import COL_STEP, ROW_STEP
+from firebreak_gis.placement.dissection import ordered
+from firebreak_gis.placement.edges import links
+from firebreak_gis.progress import part
+from firebreak_gis.threads import run_pieces
+
+if TYPE_CHECKING:
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.progress import Progress
+    from firebreak_gis.stakes import Stakes
+
+#: Compartments with more cells are searched in one direction a piece of work, so that all threads are busy.
+_LARGE = 20_000
+#: Cells in a piece of work of small compartments.
+_BATCH = 20_000
+#: Costs of a link along an axis and across; where prices differ, of one of the median price.
+_EQUAL, _DIFFERENT = (17.0, 12.0), (170.0, 120.0)
+#: Gates of a channel from which on its line may leave it.
+_SHORT = 4
+#: Share of what a cut saves that its line must save after it was pulled straight.
+_KEPT = 0.95
+
+
+@dataclass(frozen=True)
+class LineCut:
+    """One wall of the tree.
+
+    Parameters
+    ----------
+    lines
+        Its lines, each (k, 2) int64: x and y of the vertices from the north-western corner of the grid to the east and
+        to the south, in `kernels.crossings.PARTS` of a cell.
+    length
+        Of all of them, in cells.
+    cost
+        Cost of cutting cells along them, cells of length one: times width / cell size this is the cost of the wall.
+    saved
+        Expected loss that the wall saves once its parents stand, as a share of (ignition mass x value mass) of the
+        whole landscape.
+    parent
+        Position in the list of the wall that must stand before, -1 for none.
+    """
+
+    lines: tuple[np.ndarray, ...]
+    length: float
+    cost: float
+    saved: float
+    parent: int
+
+
+@dataclass(frozen=True)
+class _Field:
+    """The landscape while it is split; planes are flat. `links` loses those that walls cross."""
+
+    shape: tuple[int, int]
+    links: np.ndarray
+    price: np.ndarray
+    cost: np.ndarray
+    ignition: np.ndarray
+    value: np.ndarray
+    scale: tuple[float, float]
+    angles: np.ndarray
+    shares: np.ndarray
+
+    def near(self, cells: np.ndarray) -> np.ndarray:
+        return patch_links(cells, self.links, *self.shape, np.array(ROW_STEP), np.array(COL_STEP))  # type: ignore[no-any-return]
+
+    def loss(self, cells: np.ndarray) -> float:
+        return float(self.ignition[cells].sum() * self.value[cells].sum())
+
+    def cut(self, cells: np.ndarray, directions: Sequence[int]) -> tuple[float, np.ndarray]:
+        """Score and sides of the best wall over the directions."""
+        near = self.near(cells)
+        side = np.ones(cells.size, np.uint8)
+        score, _ = best_link_cut(
+            near,
+            link_costs(near, self.price[cells], *self.scale),
+            self.ignition[cells],
+            self.value[cells],
+            ordered(cells, self.shape, self.angles[list(directions)]),
+            self.shares,
+            side,
+        )
+        return score, side
+
+    def drawn(self, cells: np.ndarray, side: np.ndarray) -> _Drawn | None:
+        """The wall between two sides of a compartment as lines; None if there is none."""
+        if side.min() == side.max():
+            return None
+        box = _Box.around(cells, self.shape)
+        label = box.filled(np.uint8(0), side)
+        price = box.filled(-1.0, self.price[cells])
+        gates, starts, ends = channels(label)
+        near = self.near(cells)
+        places = landings(label)
+        own = [cells[side == k] for k in (1, 2)]
+        expected = self.loss(cells) - sum(self.loss(one) for one in own)
+
+        def made(freedom: np.ndarray) -> tuple[_Drawn, float]:
+            points, first = lines_in(gates, starts, ends, price, places, freedom)
+            lines, crossed = box.crossed(points, first)
+            parted = (crossed[:, np.newaxis] >> np.arange(8, dtype=np.uint8)) & 1 > 0
+            pieces = pieces_of(np.where(parted, np.int32(-1), near))
+            order = np.argsort(pieces, kind="stable")
+            split = np.split(cells[order], np.flatnonzero(np.diff(pieces[order])) + 1)
+            saved = self.loss(cells) - sum(self.loss(one) for one in split)
+            length = sum(float(np.hypot(*np.diff(line, axis=0).T).sum()) for line in lines) / PARTS
+            cost = prices_of(points, first, box.filled(-1.0, self.cost[cells]))
+            return _Drawn(lines, crossed, split, length, cost), saved
+
+        long = np.diff(starts) > _SHORT
+        for most in (2, 1):
+            freedom = np.where(long, most, 0).astype(np.uint8)
+            found, saved = made(freedom)
+            if saved >= _KEPT * expected:
+                return found
+            if np.count_nonzero(long) > 1:  # one line alone may spoil it
+                freedom[:] = 0
+                for k in np.flatnonzero(long):
+                    freedom[k] = most
+                    found, saved = made(freedom)
+                    if saved < _KEPT * expected:
+                        freedom[k] = 0
+                if freedom.any():
+                    return made(freedom)[0]
+        return made(np.zeros(len(ends), np.uint8))[0]
+
+
+@dataclass(frozen=True)
+class _Drawn:
+    lines: tuple[np.ndarray, ...]
+    crossed: np.ndarray
+    pieces: list[np.ndarray]
+    length: float
+    cost: float
+
+
+@dataclass(frozen=True)
+class _Box:
+    """The cells of a compartment in their bounding box, with one cell more on each side."""
+
+    top: int
+    left: int
+    shape: tuple[int, int]
+    row: np.ndarray
+    col: np.ndarray
+
+    @classmethod
+    def around(cls, cells: np.ndarray, shape: tuple[int, int]) -> _Box:
+        row, col = np.divmod(cells, shape[1])
+        top, left = int(row.min()) - 1, int(col.min()) - 1
+        return cls(top, left, (int(row.max()) - top + 2, int(col.max()) - left + 2), row - top, col - left)
+
+    def filled(self, rest: np.generic | float, values: np.ndarray) -> np.ndarray:
+        plane = np.full(self.shape, rest)
+        plane[self.row, self.col] = values
+        return plane
+
+    def crossed(self, points: np.ndarray, first: np.ndarray) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+        """Lines as `LineCut` has them, and the bits of the links of the cells that they cross."""
+        whole = np.rint(points * PARTS).astype(np.int64)
+        lines = tuple(whole[first[i] : first[i + 1]] for i in range(first.size - 1))
+        pieces = np.concatenate([np.hstack([line[:-1], line[1:]]) for line in lines])
+        bits = np.zeros(self.shape, np.uint8)
+        cross_links(pieces, np.zeros(len(pieces), np.float32), bits, np.zeros(self.shape, np.float32))
+        corner = np.array([self.left, self.top], np.int64) * PARTS
+        return tuple(line + corner for line in lines), bits[self.row, self.col]
+
+
+def dissect_by_lines(
+    network: SpreadNetwork,
+    stakes: Stakes,
+    *,
+    directions: int = 8,
+    shares: Sequence[float] = (0.2, 0.25, 0.3, 0.35, 0.4, 0.45),
+    smallest: int = 64,
+    threads: int | None = None,
+    progress: Progress,
+) -> list[LineCut]:
+    """Split the landscape by lines until compartments hold fewer than `smallest` cells or cannot be split.
+
+    Parameters
+    ----------
+    network, stakes
+        What is planned for. A line costs by the cost and difficulty of the cells that it passes; none goes through
+        protected cells, and cells without fuel need none.
+    directions, shares, smallest, threads, progress
+        As in `dissection.dissect`.
+
+    Returns
+    -------
+    list of LineCut
+        Parents before children.
+
+    Raises
+    ------
+    ParameterError
+        If the grid is a torus, on which lines would have to cross the seam.
+    """
+    if network.boundary == "periodic":
+        raise ParameterError("lines are planned on open maps alone; this one is periodic")
+    ignition, value = stakes.ignition.ravel(), stakes.value.ravel()
+    price, scale = _prices(network, stakes)
+    field = _Field(
+        network.shape,
+        links(network).ravel(),
+        price,
+        stakes.cost.ravel(),
+        ignition / max(ignition.sum(), 1e-300),
+        value / max(value.sum(), 1e-300),
+        scale,
+        np.pi * np.arange(directions)[:, np.newaxis] / directions,
+        np.asarray(shares),
+    )
+    fuel = np.flatnonzero(network.burnable.ravel())
+    pieces = pieces_of(field.near(fuel))
+    order = np.argsort(pieces, kind="stable")
+    waiting = [(cells, -1) for cells in np.split(fuel[order], np.flatnonzero(np.diff(pieces[order])) + 1)]
+    cuts: list[LineCut] = []
+    left = total = _work(fuel.size, smallest)
+    while waiting:
+        waiting = [(cells, parent) for cells, parent in waiting if cells.size >= smallest]
+        done = 1.0 - left / max(total, 1.0)
+        left = sum(_work(cells.size / 2, smallest) for cells, _ in waiting)
+        step = part(progress, done, 1.0 - left / max(total, 1.0))
+        walls = _walls(field, [cells for cells, _ in waiting], directions, threads, step, f"{len(cuts)} walls")
+        children = []
+        for (cells, parent), wall in zip(waiting, walls, strict=True):
+            if wall is None or len(wall.pieces) < 2:
+                continue
+            field.links[cells] &= ~wall.crossed
+            saved = field.loss(cells) - sum(field.loss(piece) for piece in wall.pieces)
+            children += [(piece, len(cuts)) for piece in wall.pieces]
+            cuts.append(LineCut(wall.lines, wall.length, wall.cost, saved, parent))
+        waiting = children
+    progress(1.0, f"{len(cuts)} walls")
+    return cuts
+
+
+def _prices(network: SpreadNetwork, stakes: Stakes) -> tuple[np.ndarray, tuple[float, float]]:
+    """Price of a line in each cell, (n_cells,) with a median of 1, below 0 where none may be; costs of links of it."""
+    price = np.where(network.burnable, stakes.cost * stakes.difficulty, 0.0).ravel()
+    allowed = network.burnable & ~stakes.protected
+    told = price[allowed.ravel()]
+    positive = told[told > 0]
+    if positive.size:
+        price = price / float(np.median(positive))
+    price[stakes.protected.ravel()] = -1.0
+    if not positive.size or positive.min() == positive.max() == told.min():
+        return price, _EQUAL
+    most = MOST / (8.0 * _DIFFERENT[0] * float(price[allowed.ravel()].sum()))
+    return price, (min(1.0, most) * _DIFFERENT[0], min(1.0, most) * _DIFFERENT[1])
+
+
+def _work(n_cells: float, smallest: int) -> float:
+    """Rough work of splitting a compartment all the way down."""
+    return n_cells**1.35 if n_cells >= smallest else 0.0
+
+
+def _walls(
+    field: _Field,
+    compartments: list[np.ndarray],
+    directions: int,
+    threads: int | None,
+    progress: Progress,
+    message: str,
+) -> list[_Drawn | None]:
+    """The best wall of every compartment."""
+    every = range(directions)
+    searches: list[list[tuple[int, Sequence[int]]]] = []
+    drawings: list[list[int]] = []
+    batch: list[int] = []
+    filled = 0
+    order = sorted(range(len(compartments)), key=lambda i: -compartments[i].size)
+    for i in order:
+        if compartments[i].size > _LARGE:
+            searches += [[(i, [k])] for k in every]
+            drawings.append([i])
+            continue
+        batch.append(i)
+        filled += compartments[i].size
+        if filled >= _BATCH or i == order[-1]:
+            searches.append([(k, every) for k in batch])
+            drawings.append(batch)
+            batch, filled = [], 0
+    found: dict[tuple[int, int], tuple[float, np.ndarray]] = {}
+    walls: list[_Drawn | None] = [None] * len(compartments)
+
+    def search(task: list[tuple[int, Sequence[int]]]) -> None:
+        for i, chosen in task:
+            found[i, chosen[0]] = field.cut(compartments[i], chosen)
+
+    def draw(task: list[int]) -> None:
+        for i in task:
+            options = [found[i, k] for k in every if (i, k) in found]
+            side = max(options, key=lambda option: option[0])[1]  # the first of equals
+            walls[i] = field.drawn(compartments[i], side)
+
+    run_pieces(search, searches, threads=threads, progress=part(progress, 0.0, 0.8), message=message)
+    run_pieces(draw, drawings, threads=threads, progress=part(progress, 0.8, 1.0), message=message)
+    return walls
