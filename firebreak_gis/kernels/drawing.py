@@ -143,7 +143,8 @@ def channels(label: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
                         continue
                     gate = -1
                     for each in (level, upright, diagonal):
-                        if seen[each] == 0:
+                        # A ring starts in the middle of a gate, which must not be that of a square.
+                        if seen[each] == 0 and (rings == 0 or each != diagonal):
                             gate = each
                     if gate < 0:
                         continue
