@@ -327,7 +327,7 @@ def landings(label: np.ndarray) -> np.ndarray:
 
 @inlined
 def _apart(places: np.ndarray, k: int, x: float, y: float) -> float:
-    return np.hypot(places[k, 0] - x, places[k, 1] - y)  # type: ignore[no-any-return]
+    return float(np.hypot(places[k, 0] - x, places[k, 1] - y))
 
 
 @kernel
