@@ -17,7 +17,7 @@ from firebreak_gis.kernels.bits import lowest
 from firebreak_gis.kernels.buckets import AFAR, NOBODY, Buckets, buckets, refill
 from firebreak_gis.kernels.draws import Thresholds, bytes_below, bytes_equal, later_digits, word
 from firebreak_gis.kernels.embers import Embers
-from firebreak_gis.kernels.percolation import Steps
+from firebreak_gis.kernels.percolation import Steps, number
 from firebreak_gis.kernels.policy import kernel
 from firebreak_gis.kernels.prefetch import prefetch
 from firebreak_gis.kernels.tally import Tally, add_run
@@ -251,11 +251,12 @@ def _burn(
             order[size] = np.uint32(cell)
             size += _ONE
             limits = top[cell]
-            digits = word(key, cell * np.uint64(4))  # as in `draws.open_edges`
+            here = number(steps, cell)
+            digits = word(key, here * np.uint64(4))  # as in `draws.open_edges`
             opened = bytes_below(digits, limits)
             undecided = bytes_equal(digits, limits)
             if undecided != _ZERO:
-                opened |= later_digits(key, cell, limits, thresholds.rest, undecided)
+                opened |= later_digits(key, here, cell, limits, thresholds.rest, undecided)
             position = np.uint8(0)
             if periodic:
                 position = positions[cell]
@@ -331,12 +332,13 @@ def _throw(
     if not (walled and stands(walls, run, cell)):
         cols = int(steps.offsets[0, 4])
         rows = embers.catches.size // cols
-        for k in range(flying.number(embers, run, step, cell)):
-            target = flying.landing(embers, run, step, cell, k, rows, cols, steps.position.size > 0)
+        here = number(steps, cell)
+        for k in range(flying.number(embers, run, step, cell, here)):
+            target = flying.landing(embers, run, step, cell, here, k, rows, cols, steps.position.size > 0)
             if target != flying.NOWHERE:
                 held = walled and stands(walls, run, target)
-                if flying.lights(embers, run, cell, k, target, held):
+                if flying.lights(embers, run, here, k, target, held):
                     targets[found] = target
-                    times[found] = t + flying.smoulders(embers, run, cell, k)
+                    times[found] = t + flying.smoulders(embers, run, here, k)
                     found += 1
     return found

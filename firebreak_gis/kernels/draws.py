@@ -160,17 +160,22 @@ def open_edges(key: np.uint64, cell: np.uint64, top: np.uint64, rest: np.ndarray
     opened = bytes_below(digits, top)
     undecided = bytes_equal(digits, top)
     if undecided != np.uint64(0):
-        opened |= later_digits(key, cell, top, rest, undecided)
+        opened |= later_digits(key, cell, cell, top, rest, undecided)
     return opened
 
 
 @kernel
-def later_digits(key: np.uint64, cell: np.uint64, top: np.uint64, rest: np.ndarray, undecided: np.uint64) -> np.uint64:
-    """Edges that open of those whose first digits are the threshold's own; called for one cell in thirty."""
+def later_digits(
+    key: np.uint64, number: np.uint64, cell: np.uint64, top: np.uint64, rest: np.ndarray, undecided: np.uint64
+) -> np.uint64:
+    """Edges that open of those whose first digits are the threshold's own; called for one cell in thirty.
+
+    `number` is that of the cell on the whole map, `cell` where it stands in `rest`.
+    """
     opened = np.uint64(0)
     certain = undecided & bytes_equal(top, ~np.uint64(0))
     for j in range(3):
-        digits = word(key, cell * np.uint64(4) + np.uint64(j + 1))
+        digits = word(key, number * np.uint64(4) + np.uint64(j + 1))
         limit = rest[cell, j]
         opened |= undecided & bytes_below(digits, limit)
         undecided &= bytes_equal(digits, limit)

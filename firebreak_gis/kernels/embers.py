@@ -64,12 +64,12 @@ class Embers(NamedTuple):
 
 
 @inlined
-def number(embers: Embers, run: int, step: int, cell: np.uint64) -> int:
-    """Embers that a cell throws in the run, a Poisson number of at most `MOST`."""
+def number(embers: Embers, run: int, step: int, cell: np.uint64, here: np.uint64) -> int:
+    """Embers that a cell, number `here` on the whole map, throws in the run: a Poisson number of at most `MOST`."""
     mean = np.float64(embers.mean[step, cell])
     count = 0
     if mean > 0.0:
-        u = uniform(embers.keys[run], cell * _WORDS)
+        u = uniform(embers.keys[run], here * _WORDS)
         if u >= 1.0 - mean:  # exp(-mean) is larger
             share = np.exp(-mean)
             total = share
@@ -82,11 +82,11 @@ def number(embers: Embers, run: int, step: int, cell: np.uint64) -> int:
 
 @kernel
 def landing(
-    embers: Embers, run: int, step: int, cell: np.uint64, k: int, rows: int, cols: int, periodic: bool
+    embers: Embers, run: int, step: int, cell: np.uint64, here: np.uint64, k: int, rows: int, cols: int, periodic: bool
 ) -> np.uint64:
     """Cell in which ember `k` of `cell` comes down; `NOWHERE` off the grid."""
     key = embers.keys[run]
-    place = cell * _WORDS + _ONE + np.uint64(4 * k)
+    place = here * _WORDS + _ONE + np.uint64(4 * k)
     angle = embers.spread * normal(key, place)
     sigma = np.float64(embers.sigma[step, cell if embers.sigma.shape[1] > 1 else np.uint64(0)])
     heading = np.float64(embers.downwind[step, cell if embers.downwind.shape[1] > 1 else np.uint64(0)])
@@ -104,9 +104,9 @@ def landing(
 
 
 @kernel
-def lights(embers: Embers, run: int, cell: np.uint64, k: int, target: np.uint64, held: bool) -> bool:
-    """Whether ember `k` of `cell` lights `target`, which may be a break that holds."""
-    place = cell * _WORDS + np.uint64(3 + 4 * k)
+def lights(embers: Embers, run: int, here: np.uint64, k: int, target: np.uint64, held: bool) -> bool:
+    """Whether ember `k` of the cell that is number `here` on the whole map lights `target`, which may be a break that holds."""
+    place = here * _WORDS + np.uint64(3 + 4 * k)
     chance = np.float64(embers.catches[target])
     if held:
         chance *= embers.residual
@@ -114,8 +114,8 @@ def lights(embers: Embers, run: int, cell: np.uint64, k: int, target: np.uint64,
 
 
 @kernel
-def smoulders(embers: Embers, run: int, cell: np.uint64, k: int) -> np.uint64:
-    """Seconds from the burning of `cell` to the fire that its ember `k` lights."""
-    place = cell * _WORDS + np.uint64(4 + 4 * k)
+def smoulders(embers: Embers, run: int, here: np.uint64, k: int) -> np.uint64:
+    """Seconds from the burning of a cell to the fire that its ember `k` lights."""
+    place = here * _WORDS + np.uint64(4 + 4 * k)
     seconds = embers.delay * np.exp(embers.delay_sigma * normal(embers.keys[run], place))
     return np.uint64(min(max(np.rint(seconds), SOONEST), 1e9))

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from firebreak_gis.kernels.draws import Thresholds, open_edges
-from firebreak_gis.kernels.policy import kernel
+from firebreak_gis.kernels.policy import inlined, kernel
 from firebreak_gis.kernels.prefetch import AHEAD, prefetch
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 
@@ -42,14 +42,36 @@ class Steps(NamedTuple):
     position
         (n_cells,) uint8 position of each cell of a periodic grid; empty for an open one, where edges across
         the border never open and every cell counts as inside.
+    first, shift, skip
+        Where the grid is a window of a larger map: `number` of its first cell there, the binary logarithm of its
+        columns, and the columns of the map beside it. Draws belong to the cells of the map, so that a window and the
+        whole have the same fires.
     """
 
     offsets: np.ndarray
     position: np.ndarray
+    first: np.uint64
+    shift: np.uint64
+    skip: np.uint64
 
 
-def steps(shape: tuple[int, int], *, periodic: bool) -> Steps:
-    """Steps of a grid of (rows, cols)."""
+@inlined
+def number(steps: Steps, cell: np.uint64) -> np.uint64:
+    """Number of a cell on the whole map, of which the grid may be a window."""
+    return steps.first + cell + (cell >> steps.shift) * steps.skip
+
+
+def steps(shape: tuple[int, int], *, periodic: bool, corner: int = 0, map_cols: int | None = None) -> Steps:
+    """Steps of a grid of (rows, cols).
+
+    Parameters
+    ----------
+    periodic
+        Whether the grid is a torus.
+    corner, map_cols
+        If it is a window of a larger map: number of its first cell there, and the columns of the map. Then it has as
+        many columns as the map, or a power of two.
+    """
     rows, cols = shape
     dr, dc = np.array(ROW_STEP), np.array(COL_STEP)
     offsets = np.empty((9, 8), np.int64)
@@ -68,7 +90,11 @@ def steps(shape: tuple[int, int], *, periodic: bool) -> Steps:
         plane[:, 0] += 1
         plane[:, -1] += 2
         position = plane.ravel()
-    return Steps(offsets.astype(np.uint64), position)
+    skip = 0 if map_cols is None else map_cols - cols
+    if skip and cols & (cols - 1):
+        raise ValueError(f"a window has {cols} columns, expected a power of two or all {map_cols} of the map")
+    shift = cols.bit_length() - 1 if skip else 63
+    return Steps(offsets.astype(np.uint64), position, np.uint64(corner), np.uint64(shift), np.uint64(skip))
 
 
 @kernel

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from firebreak_gis.kernels.draws import below, digits_of, edge_draw, word
-from firebreak_gis.kernels.percolation import Steps
+from firebreak_gis.kernels.percolation import Steps, number
 from firebreak_gis.kernels.policy import inlined, kernel
 
 _ONE = np.uint64(1)
@@ -87,7 +87,7 @@ def held_back(
             passes = False
             if walls.residual > np.float32(0):
                 left = np.float32(walls.probability[d, cell] * walls.residual)
-                passes = below(edge_draw(key, cell, np.uint64(d)), digits_of(np.float64(left)))
+                passes = below(edge_draw(key, number(steps, cell), np.uint64(d)), digits_of(np.float64(left)))
             if not passes:
                 opened &= ~(_ONE << bit)
     return opened
