@@ -105,7 +105,7 @@ def landing(
 
 @kernel
 def lights(embers: Embers, run: int, here: np.uint64, k: int, target: np.uint64, held: bool) -> bool:
-    """Whether ember `k` of the cell that is number `here` on the whole map lights `target`, which may be a break that holds."""
+    """Whether ember `k` of cell `here` of the whole map lights `target`, which may be a break that holds."""
     place = here * _WORDS + np.uint64(3 + 4 * k)
     chance = np.float64(embers.catches[target])
     if held:

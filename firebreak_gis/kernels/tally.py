@@ -54,6 +54,10 @@ class Tally(NamedTuple):
         (n_cells, n_limits) uint32 runs in which the fire that comes to the cell is stronger than the limit.
     arrivals
         (n_runs, n_cells) uint32 arrival [s], 0xFFFFFFFF where the run does not burn.
+    rim
+        (n_cells,) bool: cells from which fire could leave a window of the map. A run that burns one is not added.
+    reached
+        (n_runs,) bool, set where that happens.
     """
 
     counts: np.ndarray
@@ -72,6 +76,8 @@ class Tally(NamedTuple):
     intensities: np.ndarray
     above: np.ndarray
     arrivals: np.ndarray
+    rim: np.ndarray
+    reached: np.ndarray
 
 
 @kernel
@@ -100,6 +106,11 @@ def add_run(
     strongest
         (n_cells,) float32 intensity of a fire that starts in the cell [kW/m].
     """
+    if tally.rim.size > 0:
+        for i in range(size):
+            if tally.rim[order[i]]:
+                tally.reached[run] = True
+                return
     tally.sizes[run] = size
     for i in range(size):
         tally.counts[order[i]] += np.uint32(1)

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
-    from firebreak_gis.simulation.weather import WeatherNetworks
+    from firebreak_gis.simulation.weather import Weather, WeatherNetworks
 
 
 def simulate(
@@ -192,68 +192,75 @@ def burn(
         counts, sizes, lost = burn_all(network, request, start, breaks, worth, threads, span)
         burns = burn_maps(network, counts, sizes, seed=request.seed, lost=None if worth is None else lost)
         progress = part(progress, 0.5, 1.0)
-    limits, spells = _limits(network, request, weather, first_run)
+    if request.duration is not None and not request.duration.endless:
+        network.require_times("a duration")
+    limits, spells = limits_of(request, None if weather is None else weather.weather, first_run)
     if plain and products is None:
         return burns if request.duration is None else burns.assign(duration=_ends(limits))
     fires: dict[str, Any] = {"breaks": breaks, "barriers": barriers, "weather": weather, "threads": threads}
-    if request.crews is None:
-        ends = limits
-    else:
-        contained = _containment(network, request, start, limits, progress=part(progress, 0.0, 0.3), **fires)
+    ends = contained = limits
+    if request.crews is not None:
+        contained, _ = containment(network, request, start, limits, progress=part(progress, 0.0, 0.3), **fires)
         ends, progress = np.minimum(limits, contained), part(progress, 0.3, 1.0)
     tally = burn_timed(network, request, start, ends, value=worth, products=asked, progress=progress, **fires)
     if not plain:
         counts = tally.counts.reshape(network.shape)
         burns = burn_maps(network, counts, tally.sizes, seed=request.seed, lost=None if worth is None else tally.lost)
     burns = burns.assign(product_maps(network, asked, tally))
+    return burns.assign(told_of_runs(request, limits, contained, spells))
+
+
+def told_of_runs(
+    request: FireRequest, limits: np.ndarray, contained: np.ndarray, spells: np.ndarray | None
+) -> dict[str, xr.DataArray]:
+    """What is told of each run beside its size, as far as it is asked: `duration`, `containment`, `weather`."""
+    told = {}
     if request.duration is not None:
-        burns["duration"] = _ends(limits)
+        told["duration"] = _ends(limits)
     if request.crews is not None:
-        burns["containment"] = of_runs("containment", _infinite(contained))
+        told["containment"] = of_runs("containment", _infinite(contained))
     if spells is not None:
-        burns["weather"] = of_runs("weather", spells)
-    return burns
+        told["weather"] = of_runs("weather", spells)
+    return told
 
 
-def _limits(
-    network: SpreadNetwork, request: FireRequest, weather: WeatherNetworks | None, first_run: int
-) -> tuple[np.ndarray, np.ndarray | None]:
+def limits_of(request: FireRequest, weather: Weather | None, first_run: int) -> tuple[np.ndarray, np.ndarray | None]:
     """How long each run burns [s], (n_runs,) int64, and its weather if there is any."""
     runs: dict[str, Any] = {"seed": request.seed, "n_runs": request.n_runs, "first_run": first_run}
-    spells = None if weather is None else weather.weather.of_runs(**runs)
+    spells = None if weather is None else weather.of_runs(**runs)
     if request.duration is None:
         return np.full(request.n_runs, ENDLESS), spells
-    if not request.duration.endless:
-        network.require_times("a duration")
     if request.duration.kind == "weather":
         if weather is None:
             raise ParameterError("the duration is to be as the weather tells, but no weather is given")
-        return np.maximum(np.rint(weather.weather.durations(**runs)), 1).astype(np.int64), spells
+        return np.maximum(np.rint(weather.durations(**runs)), 1).astype(np.int64), spells
     return request.duration.of_runs(**runs), spells
 
 
-def _containment(
+def containment(
     network: SpreadNetwork, request: FireRequest, start: Ignitions, limits: np.ndarray, **fires: Any
-) -> np.ndarray:
+) -> tuple[np.ndarray, np.ndarray]:
     """When crews contain the fire of each run [s], (n_runs,) int64; `ENDLESS` where they do not.
 
-    To know how a direct attack goes, the runs are burnt up to it.
+    To know how a direct attack goes, the runs are burnt up to it, in a window of the map if `fires` say so. The second
+    array tells which of them came to its rim, (n_runs,) bool.
     """
-    crews = request.crews
+    crews, near = request.crews, np.zeros(request.n_runs, bool)
     if crews is None:
-        return np.full(request.n_runs, ENDLESS)
+        return np.full(request.n_runs, ENDLESS), near
     network.require_times("containment")
     at = crews.of_runs(seed=request.seed, n_runs=request.n_runs, first_run=start.first_run)
     if not crews.attack:
-        return at
+        return at, near
     network.require_heat("containment by direct attack")
 
     def fierce(group: Group) -> np.ndarray:
         each = [strongest(group.network, "containment by direct attack", times) for times in group.times]
         return np.asarray(np.mean(each, axis=0) > crews.intensity, np.float64).ravel()
 
-    met = burn_timed(network, request, start, np.minimum(limits, at), value=fierce, products=Products(), **fires)
-    return np.where(crews.succeeds(met.sizes, met.lost, network.grid), at, ENDLESS)
+    fires = {"progress": None, "value": fierce, "products": Products(), **fires}
+    met = burn_timed(network, request, start, np.minimum(limits, at), **fires)
+    return np.where(crews.succeeds(met.sizes, met.lost, network.grid), at, ENDLESS), met.reached
 
 
 def resolved(network: SpreadNetwork, request: FireRequest, *, first_run: int = 0) -> Ignitions:

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.kernels.walls import Walls
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.simulation.window import Window
 
 #: Share of encounters that hold in the field, see the text of the module.
 FIELD = 0.47
@@ -194,11 +195,14 @@ def widths(cut: np.ndarray, cell_size: float) -> np.ndarray:
     return width
 
 
-def stretches(shape: tuple[int, int], cell_size: float, length: float) -> np.ndarray:
-    """Number of the block of the map in which each cell lies, (rows, cols) uint32."""
+def stretches(shape: tuple[int, int], cell_size: float, length: float, window: Window | None = None) -> np.ndarray:
+    """Number of the block of the map in which each cell lies, (rows, cols) uint32; the map may go on round a window."""
     side = max(round(length / cell_size), 1)
-    row, col = (np.arange(n, dtype=np.uint32) // np.uint32(side) for n in shape)
-    return np.asarray(row[:, np.newaxis] * np.uint32(-(-shape[1] // side)) + col, np.uint32)
+    first, map_cols = ((0, 0), shape[1]) if window is None else ((window.top, window.left), window.map_shape[1])
+    row, col = (
+        np.arange(low, low + n, dtype=np.uint32) // np.uint32(side) for low, n in zip(first, shape, strict=True)
+    )
+    return np.asarray(row[:, np.newaxis] * np.uint32(-(-map_cols // side)) + col, np.uint32)
 
 
 def chances(network: SpreadNetwork, cut: np.ndarray, hold: Hold, intensity: np.ndarray | None = None) -> np.ndarray:
@@ -270,6 +274,7 @@ def build_walls(
     barriers: np.ndarray | xr.DataArray | None = None,
     barriers_hold: float = 1.0,
     intensity: np.ndarray | None = None,
+    window: Window | None = None,
 ) -> Walls:
     """What the kernel is given of the breaks.
 
@@ -292,6 +297,8 @@ def build_walls(
         Probability that a stretch of a barrier holds in a run; drawn apart from that of the breaks.
     intensity
         As in `chances`.
+    window
+        Of which map the network is a window.
     """
     from firebreak_gis.kernels.walls import Walls
 
@@ -310,7 +317,7 @@ def build_walls(
         near |= breaks.crossed > 0
     elif breaks is not None:
         chance = chances(network, network.mask(breaks, "breaks"), hold, intensity)
-    stretch = 2 * stretches(network.shape, network.grid.cell_size, hold.length)
+    stretch = 2 * stretches(network.shape, network.grid.cell_size, hold.length, window)
     if barriers is not None:
         barrier = network.mask(barriers, "barriers") & (chance < barriers_hold)
         chance = np.where(barrier, barriers_hold, chance)

@@ -92,7 +92,13 @@ class Products:
 
 
 def new_tally(
-    network: SpreadNetwork, products: Products, n_runs: int, *, longest: int, value: np.ndarray | None
+    network: SpreadNetwork,
+    products: Products,
+    n_runs: int,
+    *,
+    longest: int,
+    value: np.ndarray | None,
+    rim: np.ndarray | None = None,
 ) -> Tally:
     """Empty sums for what is asked.
 
@@ -108,6 +114,8 @@ def new_tally(
         The longest duration of a run [s].
     value
         (n_cells,) float64 lost where the cell burns, or None.
+    rim
+        (rows, cols) bool, cells from which fire could leave a window of the map; None where there is no more map.
     """
     from firebreak_gis.kernels.tally import Tally
 
@@ -135,6 +143,8 @@ def new_tally(
         intensities=intensities,
         above=np.zeros((n_cells if intensities.size else 0, intensities.size), np.uint32),
         arrivals=np.full((n_runs if products.arrivals else 0, n_cells), 0xFFFFFFFF, np.uint32),
+        rim=np.zeros(0, bool) if rim is None else rim.ravel(),
+        reached=np.zeros(n_runs, bool),
     )
 
 

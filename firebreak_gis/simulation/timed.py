@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from firebreak_gis.simulation.ignitions import Ignitions
     from firebreak_gis.simulation.request import FireRequest
     from firebreak_gis.simulation.weather import WeatherNetworks
+    from firebreak_gis.simulation.window import Window
 
 #: Runs that a thread makes before it looks for the next piece.
 _PIECE = 8
@@ -61,14 +62,23 @@ class Group(NamedTuple):
 
 
 def groups_of(
-    network: SpreadNetwork, weather: WeatherNetworks | None, *, n_runs: int, first_run: int, seed: int
+    network: SpreadNetwork,
+    weather: WeatherNetworks | None,
+    *,
+    n_runs: int,
+    first_run: int,
+    seed: int,
+    chosen: np.ndarray | None = None,
 ) -> Iterator[Group]:
-    """Runs by the weather that they have."""
+    """Runs by the weather that they have, all or those that are chosen."""
     if weather is None:
         times = () if network.travel_time is None else (network.travel_time,)
-        yield Group(np.arange(n_runs), network, times, np.zeros(1, np.uint64), ())
+        yield Group(np.arange(n_runs) if chosen is None else chosen, network, times, np.zeros(1, np.uint64), ())
         return
-    for spell, runs in weather.weather.groups(seed=seed, n_runs=n_runs, first_run=first_run):
+    for spell, every in weather.weather.groups(seed=seed, n_runs=n_runs, first_run=first_run):
+        runs = every if chosen is None else every[np.isin(every - first_run, chosen)]
+        if runs.size == 0:
+            continue
         made = weather[spell]
         network.grid.require(made.network.grid, "the weather's networks")
         winds = [(step.wind_speed, step.wind_from_direction) for step in weather.weather.spells[spell].steps]
@@ -88,6 +98,9 @@ def burn_timed(
     products: Products,
     threads: int | None,
     progress: Progress | None,
+    window: Window | None = None,
+    reach: int = 1,
+    chosen: np.ndarray | None = None,
 ) -> Tally:
     """Burn the runs of a request, and return the sums of what is asked.
 
@@ -111,6 +124,11 @@ def burn_timed(
         What is asked beside counts and sizes.
     threads, progress
         As in `fires.simulate`.
+    window, reach
+        If the network is a window of a map: which, and how far from a cell of it fire may come out of nothing [cells].
+        A run that burns within `reach` of the window's rim counts as `reached`, and is not in the sums.
+    chosen
+        Numbers of the runs that are made, counted from the first; None: all.
     """
     from firebreak_gis.kernels.arrival import Starts
     from firebreak_gis.kernels.draws import run_keys
@@ -122,15 +140,18 @@ def burn_timed(
     longest = int(ends.max()) if ends.size == limits.size else ENDLESS
     at = np.zeros(start.cells.size, np.uint64) if start.at is None else start.at.astype(np.uint64)
     starts = Starts(start.starts, start.cells, at, limits.astype(np.uint64))
-    grid_steps = steps(network.shape, periodic=network.boundary == "periodic")
+    periodic = network.boundary == "periodic"
+    place = {} if window is None else {"corner": window.corner, "map_cols": window.map_shape[1]}
+    grid_steps = steps(network.shape, periodic=periodic, **place)
     by_group = value if callable(value) else None
     worth = np.zeros(network.burnable.size) if callable(value) else value
-    total = new_tally(network, products, n_runs, longest=longest, value=worth)
+    rim = None if window is None or window.whole else window.rim(reach)
+    total = new_tally(network, products, n_runs, longest=longest, value=worth, rim=rim)
     laid = _Laid()
     spaces = _Spaces()
     tallies = _Tallies(total)
     done = 0
-    for group in groups_of(network, weather, n_runs=n_runs, first_run=first_run, seed=seed):
+    for group in groups_of(network, weather, n_runs=n_runs, first_run=first_run, seed=seed, chosen=chosen):
         intensity = _intensity(group, request, products)
         walls = build_walls(
             group.network,
@@ -141,6 +162,7 @@ def burn_timed(
             barriers=barriers,
             barriers_hold=request.barriers_hold,
             intensity=intensity,
+            window=window,
         )
         flying = nothing_flies(keys["embers"])
         if request.embers is not None:

@@ -1,0 +1,278 @@
+"""Fires with a clock on a map that need not fit into memory: each burns in a window around its start.
+
+A fire of some hours reaches a few kilometres. So the map is read by windows, as large as the fires in them need: a fire
+that comes to the rim of its window burns again in one of twice the side. All draws belong to runs and to cells of the
+map, so windows of any size, on any thread, give the fires of the whole map, run by run. Memory: 5 B a cell of the map
+(where there is fuel, how often it burns) and about 300 B a cell of the windows at work, one a thread.
+"""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.progress import silent
+from firebreak_gis.simulation.durations import ENDLESS
+from firebreak_gis.simulation.ground import Ground
+from firebreak_gis.simulation.products import Products
+from firebreak_gis.simulation.window import Window, tiles
+from firebreak_gis.threads import run_pieces
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from firebreak_gis.grid import Grid
+    from firebreak_gis.progress import Progress
+    from firebreak_gis.simulation.ignitions import Ignitions
+    from firebreak_gis.simulation.request import FireRequest
+    from firebreak_gis.simulation.weather import Weather
+
+    Plane = np.ndarray | xr.DataArray
+
+#: Side of the windows in which fires burn first [cells].
+SIDE = 512
+
+
+class MapSource(Protocol):
+    """A map that is read by windows."""
+
+    @property
+    def grid(self) -> Grid:
+        """Of the whole map."""
+
+    @property
+    def burnable(self) -> np.ndarray:
+        """(rows, cols) bool: where there is fuel."""
+
+    @property
+    def weather(self) -> Weather | None:
+        """Of which each run draws one, or None."""
+
+    def read(self, window: Window) -> tuple[Ground, np.ndarray | None]:
+        """What fires burn on in a window, and the breaks there, (rows, cols) above 0 where the fuel is cut, or None."""
+
+
+@dataclass(frozen=True, eq=False)
+class MapInMemory:
+    """A network and its breaks in memory, read by windows.
+
+    Parameters
+    ----------
+    network
+        Before cutting, with an open boundary.
+    breaks, barriers
+        (y, x), above 0 where the fuel is cut, and on barriers which may fail; or None.
+    """
+
+    network: SpreadNetwork
+    breaks: Plane | None = None
+    barriers: Plane | None = None
+
+    @property
+    def grid(self) -> Grid:
+        """Of the whole map."""
+        return self.network.grid
+
+    @property
+    def burnable(self) -> np.ndarray:
+        """(rows, cols) bool."""
+        return self.network.burnable
+
+    @property
+    def weather(self) -> Weather | None:
+        """None: a network is made for one wind."""
+        return None
+
+    def read(self, window: Window) -> tuple[Ground, np.ndarray | None]:
+        """What fires burn on in a window, and the breaks there."""
+        rows, cols = window.slices
+        whole = self.network
+        if whole.boundary != "open":
+            raise ParameterError("a map that is a torus has no windows; burn it as a whole")
+        part = SpreadNetwork(
+            whole.probability[:, rows, cols],
+            burnable=whole.burnable[rows, cols],
+            crs=whole.grid.crs,
+            transform=window.grid(whole.grid).transform,
+            provenance=whole.provenance,
+            travel_time=None if whole.travel_time is None else _times(whole.travel_time[:, rows, cols]),
+            heat=None if whole.heat is None else whole.heat[rows, cols],
+        )
+        breaks, barriers = (
+            None if plane is None else whole.mask(plane, name)[rows, cols]
+            for plane, name in ((self.breaks, "breaks"), (self.barriers, "barriers"))
+        )
+        return Ground(part, None, barriers), breaks
+
+
+def _times(seconds: np.ndarray) -> np.ndarray:
+    """Travel times as `SpreadNetwork` takes them, NaN where there is no edge."""
+    from firebreak_gis.lattice import NEVER
+
+    return np.where(seconds == NEVER, np.nan, seconds.astype(np.float64))
+
+
+class _Fuel:
+    """What `resolve_ignitions` must know of a map."""
+
+    def __init__(self, source: MapSource) -> None:
+        self.grid, self.burnable, self.boundary = source.grid, source.burnable, "open"
+        self.shape = source.grid.shape
+
+    @cached_property
+    def n_burnable(self) -> int:
+        return int(np.count_nonzero(self.burnable))
+
+    mask = SpreadNetwork.mask
+    plane = SpreadNetwork.plane
+
+
+def burn_windows(
+    source: MapSource,
+    request: FireRequest,
+    *,
+    side: int = SIDE,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Burn a map by windows; equal, to the bit, to `fires.burn` of the whole.
+
+    Parameters
+    ----------
+    source
+        The map, its breaks and barriers.
+    request
+        The fires; they must have an end, or every one may need the whole map.
+    side
+        Of the windows in which fires burn first [cells], a power of two.
+    threads, progress
+        As in `fires.simulate`.
+
+    Returns
+    -------
+    xarray.Dataset
+        `burn_count`, `burn_frequency` (y, x) and what `fires.burn` tells of each run.
+
+    Raises
+    ------
+    ParameterError
+        If the side is no power of two of at least 16, or breaks hold by flames, for which a window does not know all
+        fuel of a stretch.
+
+    Examples
+    --------
+    >>> import numpy as np, firebreak_gis as fb
+    >>> from firebreak_gis.simulation.request import FireRequest
+    >>> from firebreak_gis.simulation.durations import Duration
+    >>> network = fb.SpreadNetwork(np.full((8, 90, 80), 0.8), travel_time=np.full((8, 90, 80), 600.0))
+    >>> request = FireRequest(n_runs=5, duration=Duration("fixed", (3600.0,)))
+    >>> burns = burn_windows(MapInMemory(network), request, side=16)
+    >>> bool((burns["fire_size"] == fb.simulate(network, n_runs=5, duration="1h")["fire_size"]).all())
+    True
+    """
+    from firebreak_gis.simulation.fires import resolved
+
+    if side < 16 or side & (side - 1):
+        raise ParameterError(f"windows have a side of {side} cells, expected a power of two of at least 16")
+    if request.holding.share is None:
+        raise ParameterError("breaks that hold by flames need the map as a whole; give --hold a share, or no windows")
+    fuel: Any = _Fuel(source)  # all that ignitions ask of a network
+    work = _Work(source, request, resolved(fuel, request), progress or silent)
+    batches = [(runs, side) for runs in tiles(work.start.cells, work.start.starts, source.grid.shape, side // 2)]
+    while batches:
+        again: list[tuple[np.ndarray, int]] = []
+        run_pieces(
+            partial(work.burn, again=again), batches, threads=threads, progress=work.report, message="burning windows"
+        )
+        batches = again
+    return work.burns(fuel)
+
+
+class _Work:
+    """What the fires have come to so far; whole numbers, so that the order of the windows makes no difference."""
+
+    def __init__(self, source: MapSource, request: FireRequest, start: Ignitions, progress: Progress) -> None:
+        from firebreak_gis.simulation.fires import limits_of
+
+        self.start = start
+        self._source, self._request, self._progress = source, request, progress
+        self._limits, self._spells = limits_of(request, source.weather, start.first_run)
+        self._contained = np.full(request.n_runs, ENDLESS)
+        self._counts = np.zeros(source.grid.shape, np.uint32)
+        self._sizes = np.zeros(request.n_runs, np.int64)
+        self._done = 0
+        self._lock = threading.Lock()
+
+    def report(self, share: float, message: str) -> None:  # noqa: ARG002
+        """Tell the share of the runs that are done."""
+        self._progress(self._done / self._request.n_runs, message)
+
+    def burn(self, batch: tuple[np.ndarray, int], again: list[tuple[np.ndarray, int]]) -> None:
+        """Burn runs in a window of about the side; those that need a larger one are added to `again`."""
+        from firebreak_gis.simulation.fires import containment
+        from firebreak_gis.simulation.timed import burn_timed
+
+        runs, side = batch
+        window, start = self._window(runs, side)
+        ground, breaks = self._source.read(window)
+        embers = self._request.embers
+        reach = 1 if embers is None else int(embers.longest / ground.network.grid.cell_size) + 2
+        fires: dict[str, Any] = {
+            "breaks": breaks,
+            "barriers": ground.barriers,
+            "weather": ground.weather,
+            "threads": 1,
+            "window": window,
+            "reach": reach,
+        }
+        ends, left = self._limits, runs
+        if self._request.crews is not None:
+            contained, far = containment(ground.network, self._request, start, self._limits, chosen=runs, **fires)
+            ends, left = np.minimum(self._limits, contained), runs[~far[runs]]
+        tally = burn_timed(
+            ground.network,
+            self._request,
+            start,
+            ends,
+            value=None,
+            products=Products(),
+            progress=None,
+            chosen=left,
+            **fires,
+        )
+        left = left[~tally.reached[left]]
+        larger = np.setdiff1d(runs, left)
+        with self._lock:
+            self._counts[window.slices] += tally.counts.reshape(window.shape)
+            self._sizes[left] = tally.sizes[left]
+            if self._request.crews is not None:
+                self._contained[left] = contained[left]
+            self._done += left.size
+            if larger.size:
+                again.append((larger, 2 * side))
+
+    def _window(self, runs: np.ndarray, side: int) -> tuple[Window, Ignitions]:
+        """The window in which runs start, and their ignitions in it."""
+        start, shape = self.start, self._source.grid.shape
+        own = np.zeros(start.cells.size, bool)
+        for run in runs.tolist():
+            own[start.starts[run] : start.starts[run + 1]] = True
+        own &= start.cells >= 0
+        row, col = np.divmod(start.cells[own], shape[1])
+        window = Window.around(int(row.min()), int(col.min()), int(row.max()), int(col.max()), shape, side)
+        cells = np.full(start.cells.size, -1)
+        cells[own] = window.local(start.cells[own])
+        return window, replace(start, cells=cells)
+
+    def burns(self, fuel: Any) -> xr.Dataset:
+        """The result as `fires.burn` returns it."""
+        from firebreak_gis.simulation.fires import burn_maps, told_of_runs
+
+        burns = burn_maps(fuel, self._counts, self._sizes, seed=self._request.seed)
+        return burns.assign(told_of_runs(self._request, self._limits, self._contained, self._spells))
