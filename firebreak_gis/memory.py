@@ -48,6 +48,8 @@ _MAKING, _READING = Need(_COMPILED, 210), Need(_PLAIN, 140)
 _TIMES_MADE, _TIMES = 190, 100
 #: What is kept of fires by time, size, flame length and path, bytes a cell, and a cell and thread.
 _KEPT, _KEPT_THREAD = 400, 200
+#: Bytes a cell of a map that is read by windows, and a cell of each window at work.
+_MAP, _WINDOW = 20, 700
 _STAGES: Mapping[str, tuple[Need, ...]] = {
     "align": (Need(_PLAIN, 81),),
     "network": (_MAKING,),
@@ -66,6 +68,7 @@ def bytes_for(
     method: str | None = None,
     clock: bool = False,
     products: bool = False,
+    window: int | None = None,
     threads: int | None = None,
 ) -> int:
     """Estimate the peak memory of a command.
@@ -82,10 +85,14 @@ def bytes_for(
         Whether the network has travel times.
     products
         Whether more is kept of fires than how often each cell burns.
+    window
+        Side of the windows of the map that are read in turn; None: the map is read as a whole.
     threads
         See `workers.thread_count`.
     """
     n_threads = thread_count(threads)
+    if window is not None:
+        return _COMPILED + cells * _MAP + n_threads * min(window**2, cells) * _WINDOW
     stages = list(_STAGES[command])
     for name in (method or "").split(","):
         if name:

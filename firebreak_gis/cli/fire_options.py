@@ -84,6 +84,17 @@ def holding(command: F, *, default: str = "always") -> F:
     )
 
 
+def window(command: F) -> F:
+    """--window."""
+    return click.option(
+        "--window",
+        type=kinds.COUNT,
+        metavar="CELLS",
+        help="Read the map by windows of this side (a power of two, such as 512) around each fire, larger where a fire "
+        "needs it, so that maps larger than the memory can burn; the fires are the same.",
+    )(command)
+
+
 def products(command: F) -> F:
     """--products and what goes into it; other runs are kept out of the folder while the command writes."""
 

@@ -123,7 +123,12 @@ def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -
     names = [method.name for method in given.get("method_list", ())]
     names += [given["method"]] if "method" in given else []
     needed = memory.bytes_for(
-        work, rows * cols, method=",".join(names), clock=clock, products=bool(given.get("products"))
+        work,
+        rows * cols,
+        method=",".join(names),
+        clock=clock,
+        products=bool(given.get("products")),
+        window=given.get("window"),
     )
     memory.require_memory(needed, f"firebreak {work} on {rows} x {cols} cells", max_memory=max_memory)
 

@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any
 from firebreak_gis.errors import InputError
 from firebreak_gis.files.commit import unfinished
 from firebreak_gis.files.outputs import Output, Writing, write_all
-from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.fuel import INSTEAD, LAYERS, burnable_cells
-from firebreak_gis.rasters import read_variable, write_raster
+from firebreak_gis.rasters import VariableFile, write_raster
 from firebreak_gis.schema import annotate, validate
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from firebreak_gis.rasters.reading import Window as Rectangle
 
 
 def write_landscape(
@@ -95,9 +96,52 @@ def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:
     InputError
         If a layer is missing or damaged; `GridError` if the layers lie on different grids.
     """
-    import xarray as xr
+    return LandscapeFolder(folder).read()
 
-    place = Path(folder)
+
+class LandscapeFolder:
+    """A landscape in files, read as a whole or by windows.
+
+    Parameters
+    ----------
+    folder
+        What `write_landscape` wrote.
+
+    Attributes
+    ----------
+    grid : Grid
+        Of the whole landscape.
+
+    Raises
+    ------
+    InputError, GridError
+        As `read_landscape_folder`; without reading the cells.
+    """
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        place = Path(folder)
+        self._files = {name: VariableFile(place / f"{name}.tif", name) for name in _layers_in(place)}
+        self.grid = self._files["elevation"].grid
+        self.grid.cell_size  # noqa: B018 - refuses cells that are not square
+        for name, file in self._files.items():
+            self.grid.require(file.grid, f"{name}.tif")
+
+    def read(self, window: Rectangle | None = None) -> xr.Dataset:
+        """Read the landscape, or a window (row, column, rows, columns) of it."""
+        import xarray as xr
+
+        grid = self.grid if window is None else self._files["elevation"].part(window)
+        told = self._files["elevation"].provenance
+        variables = {name: annotate(grid.dataarray(file.read(window), name)) for name, file in self._files.items()}
+        dataset = xr.Dataset(variables)
+        dataset["burnable"] = annotate(grid.dataarray(burnable_cells(dataset), "burnable"))
+        dataset.attrs = {"legend": told["legend"]} if "legend" in told else {}
+        dataset.attrs |= {key: json.loads(told.get(key, "[]")) for key in ("alignment", "warnings")}
+        return dataset
+
+
+def _layers_in(place: Path) -> list[str]:
+    """Names of the layers in a folder."""
     if not place.is_dir():
         raise InputError(
             f"{place} is not a folder with {', '.join(f'{name}.tif' for name in LAYERS)}; make one with: "
@@ -111,16 +155,4 @@ def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:
     missing = [f"{name}.tif" for name in LAYERS if not (place / f"{name}.tif").exists()]
     if missing:
         raise InputError(f"the landscape folder {place} lacks {', '.join(missing)}; make it with: firebreak align")
-    names = list(LAYERS) + [name for name in INSTEAD if (place / f"{name}.tif").exists()]
-    arrays = {name: read_variable(place / f"{name}.tif", name) for name in names}
-    grid = Grid.of(arrays["elevation"])
-    grid.cell_size  # noqa: B018 - refuses cells that are not square
-    for name in names[1:]:
-        grid.require(Grid.of(arrays[name]), f"{name}.tif")
-    told = arrays["elevation"].attrs.get("provenance", {})
-    variables = {name: annotate(grid.dataarray(array.to_numpy(), name)) for name, array in arrays.items()}
-    dataset = xr.Dataset(variables)
-    dataset["burnable"] = annotate(grid.dataarray(burnable_cells(dataset), "burnable"))
-    dataset.attrs = {"legend": told["legend"]} if "legend" in told else {}
-    dataset.attrs |= {key: json.loads(told.get(key, "[]")) for key in ("alignment", "warnings")}
-    return dataset
+    return list(LAYERS) + [name for name in INSTEAD if (place / f"{name}.tif").exists()]

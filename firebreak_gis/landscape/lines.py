@@ -50,6 +50,10 @@ class LineBreaks:
         """Length times width of all lines, what lies off the fuel included [ha]."""
         return float((self.lines.length * self.lines["width_m"]).sum()) / 10_000.0
 
+    def part(self, rows: slice, cols: slice, grid: Grid) -> LineBreaks:
+        """Return the breaks on a window of the grid."""
+        return LineBreaks(self.lines, self.crossed[rows, cols], self.width[rows, cols], grid)
+
     def parted(self, network: SpreadNetwork, *, residual: float = 0.0) -> SpreadNetwork:
         """Return a network with the lines in it: a crossed edge keeps the share `residual` of its probability."""
         checked_residual(residual)

@@ -50,10 +50,9 @@ def read_scene(
 
     ensemble = weather.read()
     if not Path(source).is_dir():
-        _require_no_more(source, spread, ensemble)
+        require_no_more(source, spread, ensemble)
         return read_network(source), None
-    timed = replace(spread, clock=True) if clock or (ensemble is not None and not ensemble.steady) else spread
-    timed.require()
+    timed = timed_for(spread, ensemble, clock=clock)
     landscape = read_landscape_folder(source)
     if ensemble is not None:
         networks = timed.networks(landscape, ensemble)
@@ -73,13 +72,21 @@ def open_scene(source: str, spread: SpreadRequest, weather: WeatherRequest, *, a
 
     ensemble = weather.read()
     if not Path(source).is_dir():
-        _require_no_more(source, spread, ensemble)
+        require_no_more(source, spread, ensemble)
         return Scene.of_network(read_network(source))
     spread.require()
     return Scene.of(read_landscape_folder(source), spread, ensemble, account)
 
 
-def _require_no_more(source: str, spread: SpreadRequest, ensemble: Weather | None) -> None:
+def timed_for(spread: SpreadRequest, ensemble: Weather | None, *, clock: bool) -> SpreadRequest:
+    """Return the spread model with a clock, if fires or a weather that changes need one; and refuse what cannot be."""
+    timed = replace(spread, clock=True) if clock or (ensemble is not None and not ensemble.steady) else spread
+    timed.require()
+    return timed
+
+
+def require_no_more(source: str, spread: SpreadRequest, ensemble: Weather | None) -> None:
+    """Refuse a wind, a weather or a spread model beside a network file."""
     asked = ensemble is not None or any(value != 0.0 for value in spread.weather.values())
     usual = SpreadRequest()
     asked = asked or (spread.model, spread.neighbourhood) != (usual.model, usual.neighbourhood)

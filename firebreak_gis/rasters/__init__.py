@@ -9,12 +9,21 @@ from firebreak_gis.rasters.header import (
 )
 from firebreak_gis.rasters.naming import file_of
 from firebreak_gis.rasters.opening import files_behind, open_raster
-from firebreak_gis.rasters.reading import Cells, read_cells, read_raster, read_variable, require_role, variable_bands
+from firebreak_gis.rasters.reading import (
+    Cells,
+    VariableFile,
+    read_cells,
+    read_raster,
+    read_variable,
+    require_role,
+    variable_bands,
+)
 from firebreak_gis.rasters.writing import disk_dtype, write_raster
 
 __all__ = [
     "Cells",
     "Header",
+    "VariableFile",
     "disk_dtype",
     "file_of",
     "files_behind",

@@ -142,7 +142,8 @@ def read_raster(
     header = read_header(path, band=band, src_nodata=src_nodata, remote=remote)
     require_georeferenced(header)
     cells = read_cells(header, strict=strict)
-    grid, values, valid = _north_up(header, cells.values, cells.valid)
+    grid = _grid_north_up(header)
+    values, valid = (_north_up(header, plane) for plane in (cells.values, cells.valid))
     if not valid.any():
         raise InputError(f"{header.path} holds no data in any cell")
     if not valid.all():
@@ -191,21 +192,56 @@ def read_variable(
     InputError
         If bands, order of directions, CRS, values or range do not fit the variable.
     """
+    file = VariableFile(path, name, bands=bands, unreferenced=unreferenced, remote=remote)
     variable = VARIABLES[name]
-    chosen = _require_bands(path, variable, bands, remote)
-    headers = [read_header(path, band=band, remote=remote) for band in chosen]
-    if headers[0].crs is not None or not unreferenced:
-        require_georeferenced(headers[0])
-    grid, planes = None, []
-    for header in headers:
-        cells = read_cells(header, sentinels=False)
-        grid, values, valid = _north_up(header, cells.values, cells.valid)
-        planes.append(_as_variable(values, valid, variable, header.path))
-    assert grid is not None
-    array = planes[0] if variable.dims[0] != "direction" else np.stack(planes)
-    data = grid.dataarray(array, name, long_name=variable.text, units=variable.units)
-    provenance = {key[len(TAG) :].lower(): value for key, value in headers[0].tags.items() if key.startswith(TAG)}
-    return data.assign_attrs(provenance=provenance) if provenance else data
+    data = file.grid.dataarray(file.read(), name, long_name=variable.text, units=variable.units)
+    return data.assign_attrs(provenance=file.provenance) if file.provenance else data
+
+
+class VariableFile:
+    """A variable of the schema in a raster, read as a whole or by windows; parameters and errors as `read_variable`.
+
+    Attributes
+    ----------
+    grid : Grid
+        Of the raster, north up.
+    provenance : dict
+        As written by `write_raster`.
+    """
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        name: str,
+        *,
+        bands: Sequence[int] | None = None,
+        unreferenced: bool = False,
+        remote: bool = False,
+    ) -> None:
+        self._variable = VARIABLES[name]
+        chosen = _require_bands(path, self._variable, bands, remote)
+        self._headers = [read_header(path, band=band, remote=remote) for band in chosen]
+        first = self._headers[0]
+        if first.crs is not None or not unreferenced:
+            require_georeferenced(first)
+        self.grid = _grid_north_up(first)
+        self.provenance = {key[len(TAG) :].lower(): text for key, text in first.tags.items() if key.startswith(TAG)}
+
+    def read(self, window: Window | None = None) -> np.ndarray:
+        """Read the values, (rows, cols), or (directions, rows, cols); of a window of `grid`, if one is given."""
+        planes = []
+        for header in self._headers:
+            cells = read_cells(header, None if window is None else _stored_window(header, window), sentinels=False)
+            values, valid = (_north_up(header, plane) for plane in (cells.values, cells.valid))
+            planes.append(_as_variable(values, valid, self._variable, header.path))
+        return planes[0] if self._variable.dims[0] != "direction" else np.stack(planes)
+
+    def part(self, window: Window) -> Grid:
+        """Return the grid of a window."""
+        from affine import Affine
+
+        row, col, rows, cols = window
+        return Grid((rows, cols), self.grid.transform * Affine.translation(col, row), self.grid.crs)
 
 
 def require_role(path: str | os.PathLike[str], name: str, *, known: bool = False, remote: bool = False) -> bool:
@@ -312,20 +348,32 @@ def _is_value(values: np.ndarray, value: float) -> np.ndarray:
     return np.asarray(values == int(value))
 
 
-def _north_up(header: Header, values: np.ndarray, valid: np.ndarray) -> tuple[Grid, np.ndarray, np.ndarray]:
+def _grid_north_up(header: Header) -> Grid:
     from affine import Affine
 
     t = header.transform
     if t.b != 0 or t.d != 0:
         raise GridError(f"{header.path} is rotated; turn it first: gdalwarp in.tif out.tif")
-    rows, cols = header.shape
-    if t.a < 0:
-        values, valid = values[:, ::-1], valid[:, ::-1]
-    if t.e > 0:
-        values, valid = values[::-1], valid[::-1]
     left, _, _, top = header.bounds
-    grid = Grid((rows, cols), Affine(abs(t.a), 0.0, left, 0.0, -abs(t.e), top), header.crs)
-    return grid, np.ascontiguousarray(values), np.ascontiguousarray(valid)
+    return Grid(header.shape, Affine(abs(t.a), 0.0, left, 0.0, -abs(t.e), top), header.crs)
+
+
+def _north_up(header: Header, values: np.ndarray) -> np.ndarray:
+    if header.transform.a < 0:
+        values = values[:, ::-1]
+    if header.transform.e > 0:
+        values = values[::-1]
+    return np.ascontiguousarray(values)
+
+
+def _stored_window(header: Header, window: Window) -> Window:
+    """Where a window of the grid, north up, stands in the file."""
+    row, col, rows, cols = window
+    if header.transform.a < 0:
+        col = header.shape[1] - col - cols
+    if header.transform.e > 0:
+        row = header.shape[0] - row - rows
+    return row, col, rows, cols
 
 
 def variable_bands(path: str | os.PathLike[str], *, remote: bool = False) -> dict[str, list[int]]:

@@ -58,7 +58,8 @@ class Places:
     Parameters
     ----------
     weights
-        (n_cells,) float64: how likely a fire starts in each cell, relative to the others; None for single places.
+        (n_cells,) float64: how likely a fire starts in each cell, relative to the others; or bool: in which it starts,
+        alike. None for single places.
     starts, cells
         Place k is ``cells[starts[k]:starts[k + 1]]``: one cell of a point, all with fuel that a polygon cuts.
     notes
@@ -219,10 +220,8 @@ def resolve_ignitions(
         return ignitions
     weights = _density(network, places) if mode == "density" else places.weights
     if weights is not None:
-        cumulative = np.cumsum(weights)
-        draw = uniforms(stream_key(seed, "ignitions"), n_runs, first_run) * cumulative[-1]
-        cells = np.searchsorted(cumulative, draw, side="right")
-        return Ignitions(np.arange(n_runs + 1), cells.astype(np.int64), first_run, notes=places.notes)
+        cells = _drawn(weights, uniforms(stream_key(seed, "ignitions"), n_runs, first_run), network.shape)
+        return Ignitions(np.arange(n_runs + 1), cells, first_run, notes=places.notes)
     if mode == "all":
         all_lit = None if places.at is None else np.tile(np.repeat(places.at, np.diff(places.starts)), n_runs)
         all_cells = np.tile(places.cells, n_runs)
@@ -235,6 +234,23 @@ def resolve_ignitions(
     within = np.arange(starts[-1]) - np.repeat(starts[:-1], size)
     lit = None if places.at is None else np.repeat(places.at[turn], size)
     return Ignitions(starts, places.cells[np.repeat(first, size) + within], first_run, lit, places.notes)
+
+
+def _drawn(weights: np.ndarray, draws: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """Cells drawn by their weights, (n_runs,) int64; `draws` are uniform in [0, 1)."""
+    if weights.dtype != np.bool_:
+        cumulative = np.cumsum(weights)
+        return np.asarray(np.searchsorted(cumulative, draws * cumulative[-1], side="right"), np.int64)
+    # The same numbers, without eight bytes for each cell of a large map.
+    plane = weights.reshape(shape)
+    until = np.cumsum(np.count_nonzero(plane, axis=1))
+    rank = np.floor(draws * float(until[-1])).astype(np.int64)
+    rows = np.searchsorted(until, rank, side="right")
+    cells = np.empty(draws.size, np.int64)
+    for i, (row, nth) in enumerate(zip(rows.tolist(), rank.tolist(), strict=True)):
+        before = int(until[row - 1]) if row else 0
+        cells[i] = row * shape[1] + np.flatnonzero(plane[row])[nth - before]
+    return cells
 
 
 def require_runs(
@@ -288,9 +304,9 @@ def _lit_at(times: Any, frame: gpd.GeoDataFrame | None, n: int) -> np.ndarray:
 
 
 def _weights(network: SpreadNetwork, source: Any, account: Account) -> np.ndarray | None:
-    """Weight of every cell, (n_cells,) float64, greatest between 0.5 and 1; None if `source` are places."""
+    """Weight of every cell as in `Places`, greatest between 0.5 and 1; None if `source` are places."""
     if source is None:
-        return network.burnable.ravel().astype(np.float64)
+        return network.burnable.ravel()
     if isinstance(source, np.ndarray):
         if source.shape != network.shape:
             return None

@@ -11,11 +11,12 @@ from __future__ import annotations
 import threading
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import numpy as np
 
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.progress import silent
 from firebreak_gis.simulation.durations import ENDLESS
@@ -54,8 +55,8 @@ class MapSource(Protocol):
     def weather(self) -> Weather | None:
         """Of which each run draws one, or None."""
 
-    def read(self, window: Window) -> tuple[Ground, np.ndarray | None]:
-        """What fires burn on in a window, and the breaks there, (rows, cols) above 0 where the fuel is cut, or None."""
+    def read(self, window: Window) -> tuple[Ground, np.ndarray | LineBreaks | None]:
+        """What fires burn on in a window, and the breaks there: (rows, cols) above 0 where the fuel is cut, or lines."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,11 +68,11 @@ class MapInMemory:
     network
         Before cutting, with an open boundary.
     breaks, barriers
-        (y, x), above 0 where the fuel is cut, and on barriers which may fail; or None.
+        (y, x), above 0 where the fuel is cut, or lines; and on barriers which may fail; or None.
     """
 
     network: SpreadNetwork
-    breaks: Plane | None = None
+    breaks: Plane | LineBreaks | None = None
     barriers: Plane | None = None
 
     @property
@@ -89,7 +90,7 @@ class MapInMemory:
         """None: a network is made for one wind."""
         return None
 
-    def read(self, window: Window) -> tuple[Ground, np.ndarray | None]:
+    def read(self, window: Window) -> tuple[Ground, np.ndarray | LineBreaks | None]:
         """What fires burn on in a window, and the breaks there."""
         rows, cols = window.slices
         whole = self.network
@@ -104,11 +105,20 @@ class MapInMemory:
             travel_time=None if whole.travel_time is None else _times(whole.travel_time[:, rows, cols]),
             heat=None if whole.heat is None else whole.heat[rows, cols],
         )
-        breaks, barriers = (
-            None if plane is None else whole.mask(plane, name)[rows, cols]
-            for plane, name in ((self.breaks, "breaks"), (self.barriers, "barriers"))
-        )
-        return Ground(part, None, barriers), breaks
+        barriers = None if self.barriers is None else whole.mask(self.barriers, "barriers")[rows, cols]
+        breaks = self.breaks if isinstance(self.breaks, LineBreaks | None) else whole.mask(self.breaks, "breaks")
+        return Ground(part, None, barriers), breaks_in(window, breaks, whole.grid)
+
+
+def breaks_in(
+    window: Window, breaks: np.ndarray | LineBreaks | None, grid: Grid
+) -> np.ndarray | LineBreaks | None:
+    """Breaks on the grid of a map, in a window of it."""
+    if breaks is None:
+        return None
+    if isinstance(breaks, LineBreaks):
+        return breaks.part(*window.slices, window.grid(grid))
+    return breaks[window.slices]
 
 
 def _times(seconds: np.ndarray) -> np.ndarray:
@@ -118,12 +128,13 @@ def _times(seconds: np.ndarray) -> np.ndarray:
     return np.where(seconds == NEVER, np.nan, seconds.astype(np.float64))
 
 
-class _Fuel:
-    """What `resolve_ignitions` must know of a map."""
+class _FuelMap:
+    """What is asked of a network where fires start: where fuel is, and where a plane of cells lies."""
 
     def __init__(self, source: MapSource) -> None:
         self.grid, self.burnable, self.boundary = source.grid, source.burnable, "open"
         self.shape = source.grid.shape
+        self.provenance: dict[str, Any] = {}
 
     @cached_property
     def n_burnable(self) -> int:
@@ -131,6 +142,11 @@ class _Fuel:
 
     mask = SpreadNetwork.mask
     plane = SpreadNetwork.plane
+
+
+def fuel_map(source: MapSource) -> SpreadNetwork:
+    """Stand-in for the network of a map that is not in memory, for `resolve_ignitions` and the like."""
+    return cast("SpreadNetwork", _FuelMap(source))
 
 
 def burn_windows(
@@ -182,7 +198,7 @@ def burn_windows(
         raise ParameterError(f"windows have a side of {side} cells, expected a power of two of at least 16")
     if request.holding.share is None:
         raise ParameterError("breaks that hold by flames need the map as a whole; give --hold a share, or no windows")
-    fuel: Any = _Fuel(source)  # all that ignitions ask of a network
+    fuel = fuel_map(source)
     work = _Work(source, request, resolved(fuel, request), progress or silent)
     batches = [(runs, side) for runs in tiles(work.start.cells, work.start.starts, source.grid.shape, side // 2)]
     while batches:
@@ -270,7 +286,7 @@ class _Work:
         cells[own] = window.local(start.cells[own])
         return window, replace(start, cells=cells)
 
-    def burns(self, fuel: Any) -> xr.Dataset:
+    def burns(self, fuel: SpreadNetwork) -> xr.Dataset:
         """The result as `fires.burn` returns it."""
         from firebreak_gis.simulation.fires import burn_maps, told_of_runs
 

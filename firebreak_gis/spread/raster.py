@@ -19,12 +19,14 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.plugins import parameter
-from firebreak_gis.rasters import open_raster, read_variable, variable_bands
+from firebreak_gis.rasters import VariableFile, open_raster, variable_bands
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     import xarray as xr
+
+    from firebreak_gis.rasters.reading import Window
 
 
 @dataclass(frozen=True)
@@ -60,23 +62,60 @@ def read_network(path: str | Path) -> SpreadNetwork:
     >>> bool((fb.read_network(path).probability == network.probability).all())
     True
     """
-    planes = _read(path, unreferenced=True)
-    data = planes["spread_probability"]
-    values, burnable = _split(data)
-    boundary = data.attrs.get("provenance", {}).get("boundary")
-    if boundary is None and Grid.of(data).crs is None:
-        raise CRSError(
-            f"{path} has no coordinate reference system; assign the one it was made in, e.g. "
-            "gdal_edit.py -a_srs EPSG:32635 FILE"
+    return NetworkFile(path).read()
+
+
+class NetworkFile:
+    """A network in a raster, read as a whole or by windows; see `read_network`.
+
+    Attributes
+    ----------
+    grid : Grid
+        Of the whole network.
+    """
+
+    def __init__(self, path: str | Path) -> None:
+        self._path = path
+        self._files = _files(path, unreferenced=True)
+        first = self._files["spread_probability"]
+        self.grid = first.grid
+        self._boundary: Any = first.provenance.get("boundary")
+        if self._boundary is None and self.grid.crs is None:
+            raise CRSError(
+                f"{path} has no coordinate reference system; assign the one it was made in, e.g. "
+                "gdal_edit.py -a_srs EPSG:32635 FILE"
+            )
+
+    def read(self, window: Window | None = None) -> SpreadNetwork:
+        """Read the network, or a window (row, column, rows, columns) of it."""
+        planes = {name: file.read(window) for name, file in self._files.items()}
+        values, burnable = _split(planes["spread_probability"])
+        grid = self.grid if window is None else self._files["spread_probability"].part(window)
+        return SpreadNetwork(
+            values,
+            burnable=None if self._boundary is None and burnable.all() else burnable,
+            boundary=self._boundary or "open",
+            crs=grid.crs,
+            transform=grid.transform,
+            provenance=_account(self._files),
+            travel_time=planes.get("travel_time"),
+            heat=planes.get("heat"),
         )
-    return SpreadNetwork(
-        data.copy(data=values),
-        burnable=None if boundary is None and burnable.all() else burnable,
-        boundary=boundary or "open",
-        provenance=_account(planes),
-        travel_time=planes.get("travel_time"),
-        heat=planes.get("heat"),
-    )
+
+    def fuel(self, window: Window) -> np.ndarray:
+        """Read which cells of a window hold fuel, (rows, cols) bool.
+
+        Raises
+        ------
+        InputError
+            If only the whole raster would tell.
+        """
+        if self._boundary != "open":
+            raise InputError(
+                f"{self._path} was not written by firebreak network for a landscape, so only the whole of it tells "
+                "where fuel is; burn it without --window"
+            )
+        return _split(self._files["spread_probability"].read(window))[1]
 
 
 def probability(
@@ -85,18 +124,17 @@ def probability(
     """Return a `Spread` read from `params.path`; it must lie on the grid of the landscape."""
     if not params.path:
         raise ParameterError("the spread model 'raster' needs path=..., a raster of 8 bands of probabilities")
-    planes = _read(params.path)
-    data = planes["spread_probability"]
-    Grid.of(landscape["burnable"]).require(Grid.of(data), params.path)
-    times, heat = (planes[name].to_numpy() if name in planes else None for name in ("travel_time", "heat"))
-    return _split(data)[0], times, heat, _account(planes)
+    files = _files(params.path)
+    Grid.of(landscape["burnable"]).require(files["spread_probability"].grid, params.path)
+    planes = {name: file.read() for name, file in files.items()}
+    return _split(planes["spread_probability"])[0], planes.get("travel_time"), planes.get("heat"), _account(files)
 
 
-def _account(planes: dict[str, xr.DataArray]) -> dict[str, Any]:
+def _account(files: dict[str, VariableFile]) -> dict[str, Any]:
     """What the tags of a network with times tell of it."""
-    if "travel_time" not in planes:
+    if "travel_time" not in files:
         return {}
-    written = planes["spread_probability"].attrs.get("provenance", {})
+    written = files["spread_probability"].provenance
     return {key: read(written[key]) for key, read in _KEPT.items() if key in written}
 
 
@@ -106,8 +144,8 @@ _KEPT = {"wind_speed": float, "wind_from_direction": float, "left_out": str}
 _BANDS = {"spread_probability": range(1, 9), "travel_time": range(9, 17), "heat": range(17, 18)}
 
 
-def _read(path: str | Path, *, unreferenced: bool = False) -> dict[str, xr.DataArray]:
-    """Read the variables of a network that the raster holds."""
+def _files(path: str | Path, *, unreferenced: bool = False) -> dict[str, VariableFile]:
+    """The variables of a network that the raster holds."""
     told = variable_bands(path)
     if not told.keys() & {"travel_time", "heat"}:
         with open_raster(path) as source:
@@ -119,11 +157,10 @@ def _read(path: str | Path, *, unreferenced: bool = False) -> dict[str, xr.DataA
                 "more of heat"
             )
     names = ["spread_probability", *(name for name in ("travel_time", "heat") if name in told)]
-    return {name: read_variable(path, name, bands=told.get(name), unreferenced=unreferenced) for name in names}
+    return {name: VariableFile(path, name, bands=told.get(name), unreferenced=unreferenced) for name in names}
 
 
-def _split(data: xr.DataArray) -> tuple[np.ndarray, np.ndarray]:
+def _split(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Probabilities without gaps, and the cells that have one in any direction."""
-    values = data.to_numpy()
     missing = np.isnan(values)
     return np.where(missing, np.float32(0.0), values), ~missing.all(axis=0)

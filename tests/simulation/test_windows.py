@@ -131,3 +131,12 @@ def test_tiles_hold_every_run_that_burns_once():
         places = places[places >= 0]
         if runs.size > 1:
             assert np.ptp(places // 100 // 16) == np.ptp(places % 100 // 16) == 0
+
+
+def test_random_cells_are_those_of_equal_weights():
+    from firebreak_gis.simulation.ignitions import resolve_ignitions
+
+    network, _ = landscape()
+    drawn = resolve_ignitions(network, n_runs=500, seed=4).cells
+    weighed = resolve_ignitions(network, network.burnable.astype(float), n_runs=500, seed=4).cells
+    np.testing.assert_array_equal(drawn, weighed)

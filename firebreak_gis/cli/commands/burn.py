@@ -19,6 +19,7 @@ from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
     from firebreak_gis.grid import Grid
+    from firebreak_gis.simulation.weather import Weather
 
 #: Place in the list of commands, which is the order of the work.
 STEP = 7
@@ -50,6 +51,7 @@ STEP = 7
 @click.option("--sizes", type=kinds.NEW_TABLE, metavar="FILE", help="Also write the fire sizes as CSV.")
 @options.residual
 @options.fires
+@fire_options.window
 @fire_options.clock
 @fire_options.holding
 @weather_options.weather
@@ -72,6 +74,7 @@ def command(
     barriers: str | None,
     sizes: str | None,
     products: str | None,
+    window: int | None,
     by: list[float],
     size_classes: list[float],
     flame_lengths: list[float],
@@ -87,11 +90,13 @@ def command(
     from firebreak_gis.landscape.masks import mask_plane
     from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.manifest import provenance
+    from firebreak_gis.planning.maps import MapInFiles
     from firebreak_gis.planning.scene import read_scene
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.simulation.fires import burn
     from firebreak_gis.simulation.products import Products
+    from firebreak_gis.simulation.windows import SIDE, burn_windows, fuel_map
     from firebreak_gis.simulation.writing import product_files, size_table, write_products
 
     folder = Path(network)
@@ -103,7 +108,15 @@ def command(
         require_writable(name, overwrite=output.overwrite, forbid=inputs)
     account = Account()
     clock = fires.needs_times or products is not None
-    untouched, networks = read_scene(network, spread, weather, clock=clock, account=account)
+    source = None
+    if window is None:
+        untouched, networks = read_scene(network, spread, weather, clock=clock, account=account)
+        ensemble = networks.weather if networks else None
+    else:
+        if products:
+            raise ParameterError("--products are kept for every cell of the map; leave --window or --products out")
+        source = MapInFiles(network, spread, weather, clock=clock)
+        untouched, ensemble = fuel_map(source), source.weather
     for sentence in account.warnings:
         session.warn(sentence)
     kept = None
@@ -115,25 +128,26 @@ def command(
         made = [str(Path(products) / name) for name in product_files(kept, referenced=untouched.grid.crs is not None)]
         for name in made:
             require_writable(name, overwrite=output.overwrite, forbid=inputs)
-    burns = burn(
-        untouched,
-        checked_fires(fires, untouched, session),
-        breaks=_breaks(mask, line_width, untouched.grid, session),
-        barriers=mask_plane(barriers, untouched.grid, what="barriers", rule="touched", solid=True)
-        if barriers
-        else None,
-        weather=networks,
-        products=kept,
-        progress=part(session.progress, 0.05, 0.95),
-    )
-    assumptions = [*fires.assumptions, *(_told(weather.weather, networks) if networks else [])]
+    checked = checked_fires(fires, untouched, session)
+    cut = _breaks(mask, line_width, untouched.grid, session)
+    barred = None
+    if barriers:
+        barred = mask_plane(barriers, untouched.grid, what="barriers", rule="touched", solid=True)
+    share_done = part(session.progress, 0.05, 0.95)
+    if source is None:
+        walls: dict[str, Any] = {"breaks": cut, "barriers": barred}
+        burns = burn(untouched, checked, weather=networks, products=kept, progress=share_done, **walls)
+    else:
+        source.breaks, source.barriers = cut, barred
+        burns = burn_windows(source, checked, side=window or SIDE, progress=share_done)
+    assumptions = [*fires.assumptions, *(_told(weather.weather, ensemble) if ensemble else [])]
     # What makes no difference is not told, so that equal fires have equal files as fields are added.
     usual = ("ignitions", "ignition_mode", "n_runs", "residual")
     default = asdict(FireRequest(seed=fires.seed))
     told = {key: value for key, value in asdict(fires).items() if key in usual or value != default[key]}
     told |= {} if line_width is None else {"line_width": line_width}
     tags = provenance({**told, "breaks": mask is not None}, seed=fires.seed)
-    if not fires.timeless or networks:
+    if not fires.timeless or ensemble:
         tags["assumptions"] = "; ".join(assumptions)
     cells = burns["fire_size"].to_numpy()
     rasters: dict[str, Any] = {
@@ -176,7 +190,7 @@ def _breaks(source: str | None, line_width: float | str | None, grid: Grid, sess
     return read_breaks(source, grid, session)
 
 
-def _told(source: str | None, networks: Any) -> list[str]:
-    found = networks.weather.describe()
+def _told(source: str | None, weather: Weather) -> list[str]:
+    found = weather.describe()
     n = found["weathers"]
     return [f"weather of {source}: {n} of mean wind {found['mean_wind_speed']:g} m/s, drawn by their weights"]
