@@ -131,6 +131,15 @@ def memory_of(kind: str, name: str) -> tuple[int, int]:
     return int(cell), int(thread)
 
 
+def halo_of(model: str) -> int | None:
+    """Cells around a part of a landscape that a spread model must see to give that part of the network.
+
+    A module tells it as `HALO`; None: the model must see the whole landscape.
+    """
+    halo = getattr(load("spread", model), "HALO", None)
+    return None if halo is None else int(halo)
+
+
 def build_params(module: ModuleType, values: Mapping[str, Any]) -> Any:
     """Make the `Params` of a plug-in from given values, texts included ("0.5", "true").
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from firebreak_gis import plugins
+from firebreak_gis.errors import ParameterError
 from firebreak_gis.landscape.folder import LandscapeFolder
 from firebreak_gis.planning.scene import require_no_more, timed_for
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
@@ -55,6 +57,8 @@ class MapInFiles:
         self._fuel: Callable[[tuple[int, int, int, int]], np.ndarray]
         self._ground: Callable[[tuple[int, int, int, int]], Ground]
         if Path(source).is_dir():
+            if plugins.halo_of(spread.model) is None:
+                raise ParameterError(f"the spread model {spread.model} must see the whole map; leave --window out")
             self._folder = LandscapeFolder(source)
             self._spread = timed_for(spread, self.weather, clock=clock)
             self.grid: Grid = self._folder.grid

@@ -1,5 +1,6 @@
 """Reading and writing rasters: the only package that opens them."""
 
+from firebreak_gis.rasters.blocks import write_blocks
 from firebreak_gis.rasters.header import (
     Header,
     header_of_array,
@@ -37,5 +38,6 @@ __all__ = [
     "require_role",
     "variable_bands",
     "with_crs",
+    "write_blocks",
     "write_raster",
 ]

@@ -94,23 +94,18 @@ def write_raster(
     >>> fb.write_raster("breaks.tif", breaks).name
     'breaks.tif'
     """
-    if Path(path).suffix.lower() not in (".tif", ".tiff"):
-        raise OutputError(f"{path}: rasters are written as GeoTIFF, expected a name that ends in .tif")
+    require_geotiff(path)
     layers: list[Any] = [data] if hasattr(data, "dtype") else list(data.data_vars.values())
-    variables = [_variable_of(layer) for layer in layers]
+    variables = variables_of(layers)
     variable = variables[0]
-    for other in variables[1:]:
-        if (disk_dtype(other), other.nodata) != (disk_dtype(variable), variable.nodata):
-            raise InputError(
-                f"{variable.name} and {other.name} cannot be bands of one file: {disk_dtype(variable)} with no data "
-                f"{variable.nodata} and {disk_dtype(other)} with {other.nodata}; write one file each"
-            )
     grid = Grid.of(data)
-    planes = _planes(layers, variables, grid.shape)
-    tags = {**(provenance or {}), **{key: data.attrs[key] for key in _KEPT if key in data.attrs}}
-    options = {"blocksize": 256, **_lower(creation_options or {})}
+    planes = planes_of(layers, variables, grid.shape)
+    tags = tags_of(data, provenance or {})
     place = Path(path)
-    with together(place.parent), _encoded(planes, grid, variables, tags, options) as content:
+    with (
+        together(place.parent),
+        _encoded(planes, grid, variables, tags, lower(creation_options or {})) as content,
+    ):
         write_bytes(
             path,
             content,
@@ -119,11 +114,35 @@ def write_raster(
             verify=lambda part: _verify(part, planes, grid, variable),
             remove=[place.with_name(place.name + suffix) for suffix in SIDECARS],
         )
-        _write_style(place, planes[: len(variable.bands)], variable, overwrite)
+        write_style(place, planes[: len(variable.bands)], variable, overwrite)
     return place
 
 
-def _planes(layers: Sequence[xr.DataArray], variables: Sequence[Variable], shape: tuple[int, int]) -> np.ndarray:
+def require_geotiff(path: str | os.PathLike[str]) -> None:
+    """Refuse a name that is not that of a GeoTIFF."""
+    if Path(path).suffix.lower() not in (".tif", ".tiff"):
+        raise OutputError(f"{path}: rasters are written as GeoTIFF, expected a name that ends in .tif")
+
+
+def tags_of(data: xr.DataArray | xr.Dataset, provenance: Mapping[str, Any]) -> dict[str, Any]:
+    """What is kept as tags."""
+    return {**provenance, **{key: data.attrs[key] for key in _KEPT if key in data.attrs}}
+
+
+def variables_of(layers: Sequence[xr.DataArray]) -> list[Variable]:
+    """Variables of the schema that are to be bands of one file."""
+    variables = [_variable_of(layer) for layer in layers]
+    variable = variables[0]
+    for other in variables[1:]:
+        if (disk_dtype(other), other.nodata) != (disk_dtype(variable), variable.nodata):
+            raise InputError(
+                f"{variable.name} and {other.name} cannot be bands of one file: {disk_dtype(variable)} with no data "
+                f"{variable.nodata} and {disk_dtype(other)} with {other.nodata}; write one file each"
+            )
+    return variables
+
+
+def planes_of(layers: Sequence[xr.DataArray], variables: Sequence[Variable], shape: tuple[int, int]) -> np.ndarray:
     """Bands of a file, (bands, rows, cols), one layer after another."""
     if len(layers) == 1:
         values = _stored_values(layers[0].to_numpy(), variables[0])
@@ -199,7 +218,8 @@ def _threads() -> int:
     return thread_count(None) if os.getpid() == _LOADED_IN else 1
 
 
-def _lower(options: Mapping[str, Any]) -> dict[str, Any]:
+def lower(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Names of options in small letters."""
     return {str(key).lower(): value for key, value in options.items()}
 
 
@@ -217,25 +237,7 @@ def _encoded(
     from rasterio.io import MemoryFile
 
     variable = variables[0]
-    classes = bool(variable.classes) or variable.dtype == "bool"
-    profile: dict[str, Any] = {
-        "driver": "COG",
-        "count": planes.shape[0],
-        "height": grid.shape[0],
-        "width": grid.shape[1],
-        "dtype": planes.dtype.name,
-        "transform": grid.transform,
-        "nodata": variable.nodata,
-        "compress": "DEFLATE",
-        "predictor": "YES",
-        "bigtiff": "IF_SAFER",
-        "num_threads": _threads(),  # the bytes are the same
-        # The default is cubic, which invents classes.
-        "overview_resampling": "MODE" if classes else "AVERAGE",
-        **options,
-    }
-    if grid.crs is not None:
-        profile["crs"] = grid.crs.to_wkt()
+    profile = {**profile_of(grid, variables), "driver": "COG", **cog_options(variable), **options}
     with MemoryFile(ext=".tif") as memory:
         # All that is known goes into the file: a .aux.xml beside it would be lost.
         with rasterio.Env(GDAL_PAM_ENABLED="NO"), warnings.catch_warnings():
@@ -243,13 +245,42 @@ def _encoded(
             try:
                 with memory.open(**profile) as target:
                     target.write(planes)
-                    _describe(target, variables, provenance)
+                    describe(target, variables, provenance)
             except Exception as error:  # GDAL has private classes for what it does not like
                 raise OutputError(f"cannot write the raster {variable.name}: {error}; check --co") from error
         yield memoryview(memory.getbuffer())
 
 
-def _describe(target: Any, variables: Sequence[Variable], provenance: Mapping[str, Any]) -> None:
+def profile_of(grid: Grid, variables: Sequence[Variable]) -> dict[str, Any]:
+    """What a raster of the variables is, whatever its format."""
+    variable = variables[0]
+    profile: dict[str, Any] = {
+        "count": sum(len(each.bands) for each in variables),
+        "height": grid.shape[0],
+        "width": grid.shape[1],
+        "dtype": disk_dtype(variable).name,
+        "transform": grid.transform,
+        "nodata": variable.nodata,
+    }
+    return profile if grid.crs is None else {**profile, "crs": grid.crs.to_wkt()}
+
+
+def cog_options(variable: Variable) -> dict[str, Any]:
+    """Options of the GDAL driver COG unless the user gives others."""
+    classes = bool(variable.classes) or variable.dtype == "bool"
+    return {
+        "blocksize": 256,
+        "compress": "DEFLATE",
+        "predictor": "YES",
+        "bigtiff": "IF_SAFER",
+        "num_threads": _threads(),  # the bytes are the same
+        # The default is cubic, which invents classes.
+        "overview_resampling": "MODE" if classes else "AVERAGE",
+    }
+
+
+def describe(target: Any, variables: Sequence[Variable], provenance: Mapping[str, Any]) -> None:
+    """Put all that is known into a file that is being written."""
     tags = {TAG + str(key).upper(): _text(value) for key, value in sorted(provenance.items())}
     target.update_tags(AREA_OR_POINT="Area", **tags)
     bands = [(variable, text) for variable in variables for text in variable.bands]
@@ -312,7 +343,8 @@ def _apart(crs: CRS, grid: Grid) -> bool:
     return bool((np.abs(there - here)[known] > 1e-6).any())
 
 
-def _write_style(place: Path, values: np.ndarray, variable: Variable, overwrite: bool) -> None:
+def write_style(place: Path, values: np.ndarray, variable: Variable, overwrite: bool) -> None:
+    """Write the QGIS style of a variable beside its raster; a ramp without fixed ends needs the values."""
     if not variable.colours:
         return
     style = place.with_suffix(".qml")

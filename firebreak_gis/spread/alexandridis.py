@@ -58,6 +58,8 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
+#: An edge depends on its two cells alone, see `plugins.halo_of`.
+HALO = 1
 #: Powers of the share of the moisture of extinction, from 0 on.
 _MOISTURE_POLYNOMIAL = (1.0003, -1.7211, 6.598, -17.331, 22.963, -11.507)
 _MOISTURE_OF_EXTINCTION = 0.3

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
-import numpy as np
 
 from firebreak_gis.cli import options, outputs, weather_options
 from firebreak_gis.cli.layers import input_files
@@ -14,9 +12,6 @@ from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.planning.weather import WEATHER, SpreadRequest
-
-if TYPE_CHECKING:
-    from firebreak_gis.network import SpreadNetwork
 
 #: Place in the list of commands, which is the order of the work.
 STEP = 3
@@ -48,11 +43,11 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
     """
     from firebreak_gis.files import require_distinct, require_writable, together
     from firebreak_gis.files.graphs import require_format, write_graph
-    from firebreak_gis.landscape import read_landscape_folder
-    from firebreak_gis.landscape.target_grid import Account
+    from firebreak_gis.landscape.folder import LandscapeFolder
     from firebreak_gis.manifest import provenance
-    from firebreak_gis.rasters import files_behind, write_raster
-    from firebreak_gis.spread import spread_network
+    from firebreak_gis.planning.blocks import NetworkBlocks
+    from firebreak_gis.progress import part
+    from firebreak_gis.rasters import files_behind, write_blocks
 
     inputs = files_behind([*map(str, Path(folder).glob("*.tif")), *input_files(spread.sources)])
     require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
@@ -61,17 +56,12 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
         require_writable(export, overwrite=output.overwrite, forbid=inputs)
         require_distinct({"--output": output.output, "--export": export})
     spread.require()
-    landscape = read_landscape_folder(folder)
-    session.progress(0.2, "spread network")
-    account = Account()
-    network = spread_network(landscape, model=spread.model, **spread.params(landscape, account))
-    for sentence in account.alignment:
+    landscape = LandscapeFolder(folder)
+    made = NetworkBlocks(landscape, spread, progress=part(session.progress, 0.0, 0.7))
+    for sentence in made.account.alignment:
         session.say(sentence)
-    for sentence in account.warnings:
+    for sentence in made.account.warnings:
         session.warn(sentence)
-    if spread.clock:
-        network.require_times("--clock")
-    session.progress(0.6, "writing")
     told = {
         key: value
         for key, value in recorded().items()
@@ -81,38 +71,26 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
     }
     tags = (
         provenance({**told, "model_params": [f"{name}={value}" for name, value in spread.model_params.items()]})
-        | network.provenance
+        | made.provenance
     )
     files = [output.output, *([export] if export else [])]
     with together(*(Path(name).parent for name in files)):
-        write_raster(
+        write_blocks(
             output.output,
-            network.to_dataset(),
+            made,
+            landscape.grid,
             overwrite=output.overwrite,
             provenance=tags,
             forbid=inputs,
             creation_options=output.creation_options,
         )
         if export:
-            write_graph(network, export, overwrite=output.overwrite)
+            write_graph(made.whole(), export, overwrite=output.overwrite)
+    warning = f", in the times alone: {made.provenance['left_out']}" if made.provenance.get("left_out") else ""
+    pace = {} if made.rate is None else {"median_rate_m_h": made.rate}
+    told_pace = "" if made.rate is None else f", median rate of spread {made.rate:g} m/h{warning}"
     session.finish(
-        {"files": files, "burnable_cells": network.n_burnable, **_pace(network)},
-        f"{network.n_burnable} cells with fuel, mean edge probability "
-        f"{network.probability[:, network.burnable].mean():.3f}{_told(network)}; written to {', '.join(files)}",
+        {"files": files, "burnable_cells": made.n_burnable, **pace},
+        f"{made.n_burnable} cells with fuel, mean edge probability {made.mean:.3f}{told_pace}; written to "
+        f"{', '.join(files)}",
     )
-
-
-def _pace(network: SpreadNetwork) -> dict[str, float]:
-    """Median rate of spread over the edges [m/h]."""
-    if network.travel_time is None:
-        return {}
-    rates = network.rate()[network.probability > 0]
-    return {"median_rate_m_h": round(float(np.median(rates)), 1) if rates.size else 0.0}
-
-
-def _told(network: SpreadNetwork) -> str:
-    if network.travel_time is None:
-        return ""
-    left_out = network.provenance.get("left_out")
-    warning = f", in the times alone: {left_out}" if left_out else ""
-    return f", median rate of spread {_pace(network)['median_rate_m_h']:g} m/h{warning}"

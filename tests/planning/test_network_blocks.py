@@ -1,0 +1,100 @@
+"""A network made block by block is that of the whole landscape, and so are fires in windows of its files."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import firebreak_gis as fb
+from firebreak_gis.cli import firebreak
+from firebreak_gis.landscape.folder import LandscapeFolder, read_landscape_folder, write_landscape
+from firebreak_gis.planning import blocks
+from firebreak_gis.planning.blocks import NetworkBlocks
+from firebreak_gis.planning.weather import SpreadRequest
+from firebreak_gis.rasters.blocks import ROWS
+from firebreak_gis.spread import spread_network
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, sample_paths):
+    place = tmp_path_factory.mktemp("land") / "land"
+    write_landscape(fb.read_landscape(**sample_paths, resolution=14.0), place)
+    return place
+
+
+@pytest.mark.parametrize("clock", [False, True])
+def test_blocks_are_those_of_the_whole(folder, clock):
+    spread = SpreadRequest(wind_speed=5.0, wind_from=315.0, clock=clock)
+    landscape = read_landscape_folder(folder)
+    assert landscape.sizes["y"] > 2 * ROWS - 20
+    whole = spread_network(landscape, **spread.params(landscape))
+    made = NetworkBlocks(LandscapeFolder(folder), spread, cells=1)
+    found = list(made)
+    assert [row for row, _ in found] == list(range(0, landscape.sizes["y"], ROWS))
+    for name, plane in whole.to_dataset().data_vars.items():
+        parts = np.concatenate([data[name].to_numpy() for _, data in found], axis=-2)
+        np.testing.assert_array_equal(parts, plane.to_numpy())
+    assert made.n_burnable == whole.n_burnable
+    assert made.mean == pytest.approx(whole.probability[:, whole.burnable].mean(dtype=float))
+    if clock:
+        rates = whole.rate()[whole.probability > 0]
+        assert made.rate == pytest.approx(float(np.median(rates)), abs=0.1)
+    else:
+        assert made.rate is None
+
+
+def _hashes(place: Path) -> dict[str, str]:
+    return {f.name: hashlib.sha256(f.read_bytes()).hexdigest() for f in sorted(place.iterdir()) if f.is_file()}
+
+
+def test_commands_give_the_same_bytes(folder, tmp_path, monkeypatch):
+    made = []
+    for name, cells, window in (
+        ("whole", blocks.CELLS, []),
+        ("w64", 1, ["--window", "64"]),
+        ("w512", 1, ["--window", "512"]),
+    ):
+        monkeypatch.setattr(blocks, "CELLS", cells)
+        place = tmp_path / name
+        place.mkdir()
+        weather = tmp_path / "weather.csv"
+        weather.write_text("wind_speed,wind_from,weight\n3,315,2\n8,200,1\n")
+        wind = ["--wind-speed", "5", "--wind-from", "315"]
+        fires = ["--runs", "20", "--duration", "3h", "--hold", "0.47"]
+        for words in (
+            ["network", str(folder), "-o", str(place / "net.tif"), "--clock", *wind],
+            [
+                "burn",
+                str(place / "net.tif"),
+                "-o",
+                str(place / "a.tif"),
+                "--sizes",
+                str(place / "a.csv"),
+                *fires,
+                *window,
+            ],
+            ["burn", str(folder), "-o", str(place / "b.tif"), "--embers", "on", *wind, *fires, *window],
+            ["burn", str(folder), "-o", str(place / "c.tif"), "--weather", str(weather), *fires, *window],
+        ):
+            done = CliRunner().invoke(firebreak, words)
+            assert done.exit_code == 0, done.output
+        made.append(_hashes(place))
+    assert made[0] == made[1] == made[2]
+
+
+def test_what_has_no_windows_is_refused(folder, tmp_path):
+    out = str(tmp_path / "x.tif")
+    for words, text in (
+        (["--window", "100"], "power of two"),
+        (["--window", "64", "--products", str(tmp_path / "p")], "--products"),
+        (["--window", "64", "--hold", "flame"], "as a whole"),
+        (["--window", "64", "--model", "artificial"], "whole map"),
+    ):
+        done = CliRunner().invoke(firebreak, ["burn", str(folder), "-o", out, "--duration", "1h", *words])
+        assert done.exit_code == 2 or done.exit_code == 3, done.output
+        assert text in done.output
+    assert not list(tmp_path.iterdir())
