@@ -48,6 +48,8 @@ _MAKING, _READING = Need(_COMPILED, 210), Need(_PLAIN, 140)
 _TIMES_MADE, _TIMES = 190, 100
 #: What is kept of fires by time, size, flame length and path, bytes a cell, and a cell and thread.
 _KEPT, _KEPT_THREAD = 400, 200
+#: Cells of a network that are made together where it is made by blocks.
+BLOCK_CELLS = 4_000_000
 #: Bytes a cell of a map that is read by windows, and a cell of each window at work.
 _MAP, _WINDOW = 20, 700
 _STAGES: Mapping[str, tuple[Need, ...]] = {
@@ -69,6 +71,7 @@ def bytes_for(
     clock: bool = False,
     products: bool = False,
     window: int | None = None,
+    blocks: bool = False,
     threads: int | None = None,
 ) -> int:
     """Estimate the peak memory of a command.
@@ -87,10 +90,14 @@ def bytes_for(
         Whether more is kept of fires than how often each cell burns.
     window
         Side of the windows of the map that are read in turn; None: the map is read as a whole.
+    blocks
+        Whether a network is made by blocks of `BLOCK_CELLS`.
     threads
         See `workers.thread_count`.
     """
     n_threads = thread_count(threads)
+    if blocks:
+        cells = min(cells, BLOCK_CELLS)
     if window is not None:
         return _COMPILED + cells * _MAP + n_threads * min(window**2, cells) * _WINDOW
     stages = list(_STAGES[command])

@@ -54,3 +54,11 @@ def test_sizes(text, size):
 def test_words_that_are_no_sizes(text):
     with pytest.raises(ParameterError, match="such as 4GB"):
         parsing.byte_size(text)
+
+
+def test_windows_and_blocks_do_not_grow_with_the_map():
+    small, large = (memory.bytes_for("burn", n, clock=True, window=512, threads=2) for n in (10**6, 10**8))
+    assert large < small + 30 * 10**8
+    assert large < memory.bytes_for("burn", 10**8, clock=True, threads=2) / 10
+    one, other = (memory.bytes_for("network", n, clock=True, blocks=True) for n in (10**7, 10**9))
+    assert one == other < memory.bytes_for("network", 10**7, clock=True)

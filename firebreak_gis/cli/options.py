@@ -110,7 +110,7 @@ def fitting(work: str) -> Callable[[F], F]:
 
 
 def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -> None:
-    from firebreak_gis import memory
+    from firebreak_gis import memory, plugins
     from firebreak_gis.rasters import read_header, variable_bands
 
     try:
@@ -129,6 +129,7 @@ def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -
         clock=clock,
         products=bool(given.get("products")),
         window=given.get("window"),
+        blocks=work == "network" and not given.get("export") and plugins.halo_of(given["model"]) is not None,
     )
     memory.require_memory(needed, f"firebreak {work} on {rows} x {cols} cells", max_memory=max_memory)
 

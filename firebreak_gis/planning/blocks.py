@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis import plugins
+from firebreak_gis import memory, plugins
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.progress import silent
 from firebreak_gis.rasters.blocks import ROWS
@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from firebreak_gis.planning.weather import SpreadRequest
     from firebreak_gis.progress import Progress
 
-#: Cells of a block.
-CELLS = 4_000_000
 #: Rates of spread are counted in steps of this [m/h], up to the largest of which the median is told.
 _STEP, _MOST = 0.05, 100_000.0
 
@@ -37,7 +35,7 @@ class NetworkBlocks:
         Spread model and wind. A model that does not say in `HALO` how many rows around a block its edges depend on is
         given the landscape as a whole.
     cells
-        About so many cells are in a block; None: `CELLS`.
+        About so many cells are in a block; None: `memory.BLOCK_CELLS`.
     progress
         Callback (share done, message).
 
@@ -66,7 +64,7 @@ class NetworkBlocks:
         self._landscape, self._spread, self._progress = landscape, spread, progress or silent
         self._halo = plugins.halo_of(spread.model)
         rows, cols = landscape.grid.shape
-        step = max((cells or CELLS) // cols // ROWS, 1) * ROWS
+        step = max((cells or memory.BLOCK_CELLS) // cols // ROWS, 1) * ROWS
         self._starts = [0] if self._halo is None else list(range(0, rows, step))
         self._step = rows if self._halo is None else step
         self.account = Account()

@@ -14,12 +14,14 @@ from firebreak_gis.landscape.folder import LandscapeFolder
 from firebreak_gis.planning.scene import require_no_more, timed_for
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.ground import Ground
+from firebreak_gis.simulation.windows import breaks_in
 from firebreak_gis.spread.raster import NetworkFile
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from firebreak_gis.grid import Grid
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.simulation.weather import Weather
     from firebreak_gis.simulation.window import Window
 
@@ -41,8 +43,8 @@ class MapInFiles:
 
     Attributes
     ----------
-    breaks, barriers : numpy.ndarray or None
-        (rows, cols) bool where the fuel is cut, and of barriers which may fail; to be set.
+    breaks, barriers
+        (rows, cols) bool where the fuel is cut, or lines, and of barriers which may fail; to be set.
 
     Raises
     ------
@@ -51,7 +53,7 @@ class MapInFiles:
     """
 
     def __init__(self, source: str, spread: SpreadRequest, weather: WeatherRequest, *, clock: bool) -> None:
-        self.breaks: np.ndarray | None = None
+        self.breaks: np.ndarray | LineBreaks | None = None
         self.barriers: np.ndarray | None = None
         self.weather: Weather | None = weather.read()
         self._fuel: Callable[[tuple[int, int, int, int]], np.ndarray]
@@ -80,12 +82,11 @@ class MapInFiles:
             out[row : row + _ROWS] = self._fuel((row, 0, min(_ROWS, rows - row), cols))
         return out
 
-    def read(self, window: Window) -> tuple[Ground, np.ndarray | None]:
+    def read(self, window: Window) -> tuple[Ground, np.ndarray | LineBreaks | None]:
         """What fires burn on in a window, and the breaks there."""
-        where = window.slices
         made = self._ground((window.top, window.left, *window.shape))
-        barriers = None if self.barriers is None else self.barriers[where]
-        return Ground(made.network, made.weather, barriers), None if self.breaks is None else self.breaks[where]
+        barriers = None if self.barriers is None else self.barriers[window.slices]
+        return Ground(made.network, made.weather, barriers), breaks_in(window, self.breaks, self.grid)
 
     def _of_landscape(self, part: tuple[int, int, int, int]) -> Ground:
         from firebreak_gis.spread import spread_network

@@ -56,7 +56,7 @@ class MapSource(Protocol):
         """Of which each run draws one, or None."""
 
     def read(self, window: Window) -> tuple[Ground, np.ndarray | LineBreaks | None]:
-        """What fires burn on in a window, and the breaks there: (rows, cols) above 0 where the fuel is cut, or lines."""
+        """What fires burn on in a window, and the breaks there: (rows, cols) above 0, or lines."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,9 +110,7 @@ class MapInMemory:
         return Ground(part, None, barriers), breaks_in(window, breaks, whole.grid)
 
 
-def breaks_in(
-    window: Window, breaks: np.ndarray | LineBreaks | None, grid: Grid
-) -> np.ndarray | LineBreaks | None:
+def breaks_in(window: Window, breaks: np.ndarray | LineBreaks | None, grid: Grid) -> np.ndarray | LineBreaks | None:
     """Breaks on the grid of a map, in a window of it."""
     if breaks is None:
         return None

@@ -10,9 +10,9 @@ import pytest
 from click.testing import CliRunner
 
 import firebreak_gis as fb
+from firebreak_gis import memory
 from firebreak_gis.cli import firebreak
 from firebreak_gis.landscape.folder import LandscapeFolder, read_landscape_folder, write_landscape
-from firebreak_gis.planning import blocks
 from firebreak_gis.planning.blocks import NetworkBlocks
 from firebreak_gis.planning.weather import SpreadRequest
 from firebreak_gis.rasters.blocks import ROWS
@@ -54,11 +54,11 @@ def _hashes(place: Path) -> dict[str, str]:
 def test_commands_give_the_same_bytes(folder, tmp_path, monkeypatch):
     made = []
     for name, cells, window in (
-        ("whole", blocks.CELLS, []),
+        ("whole", memory.BLOCK_CELLS, []),
         ("w64", 1, ["--window", "64"]),
         ("w512", 1, ["--window", "512"]),
     ):
-        monkeypatch.setattr(blocks, "CELLS", cells)
+        monkeypatch.setattr(memory, "BLOCK_CELLS", cells)
         place = tmp_path / name
         place.mkdir()
         weather = tmp_path / "weather.csv"

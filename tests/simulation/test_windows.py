@@ -76,6 +76,24 @@ def test_barriers_that_may_fail():
     assert whole.identical(burn_windows(MapInMemory(network, breaks, barriers), request, side=16))
 
 
+def test_lines_are_cut_by_windows_as_cells_are():
+    import geopandas as gpd
+    from shapely.geometry import LineString
+
+    from firebreak_gis.landscape.lines import line_breaks
+
+    network, _ = landscape()
+    lines = gpd.GeoDataFrame(
+        geometry=[LineString([(500_100, 3_999_900 - k), (503_300, 3_997_300 + k)]) for k in range(0, 2_600, 300)],
+        crs="EPSG:32635",
+    )
+    breaks = line_breaks(lines, network.grid, width=12.0)
+    request = FireRequest(n_runs=30, duration=as_duration("2h"), hold=as_hold("0.5:100"))
+    whole = burn(network, request, breaks=breaks)
+    assert whole["fire_size"].sum() < burn(network, request)["fire_size"].sum()
+    assert whole.identical(burn_windows(MapInMemory(network, breaks), request, side=32))
+
+
 def test_what_has_no_windows_is_refused():
     network, breaks = landscape((40, 50))
     with pytest.raises(ParameterError, match="power of two"):
