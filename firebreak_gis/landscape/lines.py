@@ -93,9 +93,8 @@ def line_breaks(source: Source, grid: Grid, *, width: float | str, what: str = "
     >>> grid = Grid((2, 3), Affine(20, 0, 0, 0, -20, 40), parse_crs("EPSG:32635"))
     >>> road = gpd.GeoDataFrame(geometry=[shapely.LineString([(20, 0), (20, 40)])], crs=32635)
     >>> breaks = line_breaks(road, grid, width=6.0)
-    >>> breaks.crossed
-    array([[12, 96,  0],
-           [ 6, 192,  0]], dtype=uint8)
+    >>> breaks.crossed.tolist()
+    [[12, 96, 0], [6, 192, 0]]
     >>> breaks.area_ha
     0.024
     """
