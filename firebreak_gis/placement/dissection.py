@@ -34,6 +34,9 @@ _BATCH = 20_000
 _COST_RANGE = 2**29
 #: Costs of which the least is so many steps, and the largest at most so many times the least, stay as they are.
 _STEPS, _FEW = 2, 256
+#: Steps of the median cost of a cell where breaks leak. With 8 in place of 1000 walls are found 2.7 times as fast; on
+#: the sample at 60 m plans of three widths then burn 19 % less to 2 % more.
+_LEAK_STEPS = 8
 #: What a mean cell costs more for its leak; on Rhodes at 40 m this burns 3 to 4 % less, 1 as much, 3 more.
 _LEAK_WEIGHT = 0.3
 
@@ -140,10 +143,12 @@ def capacities(network: SpreadNetwork, stakes: Stakes, width: int = 1, *, leaky:
     A cell counts its cost times its difficulty. With a width a cell also counts its share of the wall around it.
     Where breaks leak, costs grow with the chance that a fire takes `width` steps into cells like this one.
 
-    Equal costs become 1 and small multiples of the least whole numbers, since small capacities are cut fast; others
-    keep the resolution that the sum of all allows, at most a thousandth of the median.
+    Equal costs become 1 and small multiples of the least whole numbers, since small capacities are cut fast; so do
+    these with the leak on top, in eighths of the median. Others keep the resolution that the sum of all allows, at most
+    a thousandth of the median.
     """
     own = np.where(stakes.protected, 0.0, stakes.cost * stakes.difficulty)
+    plain = _few_steps(own[own > 0], least=1.0)
     if leaky:
         passed = mean_lit(network) ** width
         own = own * (1.0 + _LEAK_WEIGHT * passed / max(float(passed[network.burnable].mean()), 1e-300))
@@ -152,7 +157,9 @@ def capacities(network: SpreadNetwork, stakes: Stakes, width: int = 1, *, leaky:
     scale = 1.0
     if positive.size:
         scale = 1.0 / positive[0]
-        if _few_steps(positive):
+        if leaky and plain:
+            scale = _LEAK_STEPS / float(np.median(positive))
+        elif _few_steps(positive):
             scale = _STEPS / float(positive.min())
         elif positive.min() < positive.max():
             scale = min(1000.0 / float(np.median(positive)), _COST_RANGE / float(positive.sum()))
@@ -161,10 +168,12 @@ def capacities(network: SpreadNetwork, stakes: Stakes, width: int = 1, *, leaky:
     return whole
 
 
-def _few_steps(costs: np.ndarray) -> bool:
-    """Whether costs differ, and all are small multiples of a step of the least."""
+def _few_steps(costs: np.ndarray, *, least: float = np.nextafter(1.0, 2.0)) -> bool:
+    """Whether the largest of the costs is `least` to `_FEW` times the least, and all are multiples of a step of it."""
+    if not costs.size:
+        return False
     ratio = costs * (_STEPS / costs.min())
-    return bool(1 < ratio.max() / _STEPS <= _FEW and np.abs(ratio - np.rint(ratio)).max() < 1e-9)
+    return bool(least <= ratio.max() / _STEPS <= _FEW and np.abs(ratio - np.rint(ratio)).max() < 1e-9)
 
 
 def dissect(

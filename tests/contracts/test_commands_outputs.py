@@ -44,6 +44,7 @@ GIVEN = {
 }
 #: What the same name means elsewhere.
 OWN = {
+    "assess": {"duration": "inf"},
     "calibrate": {"folder": "cases.csv"},
     "burn": {"duration": "inf"},
     "compare": {"duration": "inf"},
