@@ -30,7 +30,7 @@ from .manifest import Description, Output, parameter_names
 from .parameters import input_parameter, output_parameter
 from .results import DestinationError, deliver, deliver_folder, refuse_formats, refuse_inputs
 from .styling import Run, style_later
-from .texts import help_address, help_page, translated
+from .texts import field_label, help_address, help_page, translated
 from .translation import translate
 from .words import in_form_words
 
@@ -196,7 +196,7 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
         ]
         title = f"{self.displayName()} ({', '.join([*rankings, f'{now:%H:%M}'])})"
         given = [
-            f"{translated(field.label)}: {_listed(values[field.name])}"
+            f"{field_label(field)}: {_listed(values[field.name])}"
             for field in self._description.fields
             if values[field.name] not in (None, "", [], False, field.default)
         ]

@@ -48,6 +48,8 @@ class Field:
         `choices` or `text`.
     label, help
         Texts.
+    variant
+        What tells the field from others of the same option, such as "as a raster".
     option
         Name of the command's parameter that takes the value.
     flag
@@ -74,6 +76,7 @@ class Field:
     default: Any = None
     choices: tuple[str, ...] = ()
     words: tuple[str, ...] = ()
+    variant: str = ""
     low: float | None = None
     high: float | None = None
     parent: str = ""
@@ -171,11 +174,8 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
         kinds, parent = ["field"], _name(option["name"][: -len(_FIELD)], "vector")
     for place, word in enumerate(kinds):
         kind = _kind(word)
-        label = label_of(option["name"])
         low, high = labels.RANGES.get(option["name"], (None, None))
         default = option.get("default") if place == 0 else None
-        if place > 0:
-            label = f"{label}, as {_TEXTS.get(option['name']) or _ARTICLES.get(kind, 'a ' + kind)}"
         if kind in ("number", "integer") and default is not None:
             default = float(default) if kind == "number" else int(default)
         choices = tuple(option.get("choices", ())) if kind in ("choice", "choices") else ()
@@ -187,7 +187,7 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
                 second=place > 0 or (kind == "raster" and option["name"] in either) or kinds == ["file", "text"],
             ),
             kind,
-            label,
+            label_of(option["name"]),
             words_of_forms(told, form.name),
             option["name"],
             (option.get("flags") or [""])[-1],
@@ -199,12 +199,18 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
             low=low,
             high=high,
             choices=choices,
+            variant=(_VARIANTS.get(option["name"]) or _OTHERS.get(kind, f"as a {kind}")) if place > 0 else "",
             words=tuple(choice_word(option["name"], choice) for choice in choices),
         )
 
 
-_TEXTS = {"weather": "a wind rose: rose:NW=5x0.4,N=8x0.2"}
-_ARTICLES = {"choice": "one class for all fuel", "file": "a CSV file", "text": "classes: agricultural=500,pines=1500"}
+_VARIANTS = {"weather": "as a wind rose: rose:NW=5x0.4,N=8x0.2", "treatments": "as a word"}
+_OTHERS = {
+    "choice": "as one class for all fuel",
+    "file": "as a CSV file",
+    "text": "as classes: agricultural=500,pines=1500",
+    "vector": "as polygons or lines",
+}
 
 
 def _kind(word: str) -> str:

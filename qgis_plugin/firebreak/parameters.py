@@ -24,14 +24,14 @@ from qgis.core import (
 
 from . import enums
 from .manifest import Field, Output
-from .texts import file_filter, translated
+from .texts import field_label, file_filter, translated
 
 _DECIMALS = 6
 
 
 def input_parameter(field: Field) -> QgsProcessingParameterDefinition:
     """Return the QGIS parameter for a field."""
-    label, optional = translated(field.label), _is_optional(field)
+    label, optional = field_label(field), _is_optional(field)
     make: dict[str, Any] = {
         "raster": lambda: QgsProcessingParameterRasterLayer(field.name, label, optional=optional),
         "vector": lambda: QgsProcessingParameterFeatureSource(

@@ -40,6 +40,11 @@ def help_address(command: str) -> str:
     return documentation() and documentation() + PAGE.format(command=command)
 
 
+def field_label(field: Field) -> str:
+    """Return the label of a field in the user's language."""
+    return ", ".join(translated(text) for text in (field.label, field.variant) if text)
+
+
 def file_filter(file: str) -> str:
     """Return the filter of a file dialog for files like this one."""
     suffix = PurePath(file).suffix
@@ -81,4 +86,4 @@ def _usual(parameter: dict[str, Any]) -> str:
 def _entry(field: Field) -> str:
     bounds = [f"{word} {value:g}" for word, value in (("from", field.low), ("to", field.high)) if value is not None]
     tail = f" ({' '.join(bounds)})" if bounds else ""
-    return f"<p><b>{escape(translated(field.label))}</b>{tail}: {escape(translated(field.help))}</p>"
+    return f"<p><b>{escape(field_label(field))}</b>{tail}: {escape(translated(field.help))}</p>"

@@ -107,6 +107,26 @@ def test_every_list_of_every_form_can_be_made(provider):
     assert seen > 30
 
 
+@pytest.mark.parametrize(
+    ("locale", "title"), [("de", "Brandschneisen planen"), ("pt_BR", "Planear aceiros"), ("xx", "Plan fire breaks")]
+)
+def test_forms_speak_the_language_of_qgis(locale, title, monkeypatch):
+    from firebreak import translation
+    from firebreak.provider import FirebreakProvider
+
+    monkeypatch.setattr(QgsApplication, "locale", staticmethod(lambda: locale))
+    try:
+        other = FirebreakProvider()
+        other.loadAlgorithms()
+        (plan,) = [a for a in other.algorithms() if a.name() == "plan"]
+        assert title in plan.displayName()
+        assert (plan.parameterDefinition("METHOD").description() == "Ranking") == (locale == "xx")
+        assert plan.parameterDefinition("METHOD").options() == form("plan").parameterDefinition("METHOD").options()
+        assert title in plan.displayName()
+    finally:
+        translation.use("en")
+
+
 def test_the_help_opens_the_documentation_of_a_release(monkeypatch):
     from firebreak import texts
 

@@ -1,0 +1,1563 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>Firebreak</name>
+    <message>
+        <source>1 Prepare</source>
+        <translation>1 Vorbereiten</translation>
+    </message>
+    <message>
+        <source>2 Rank and cut</source>
+        <translation>2 Reihen und schneiden</translation>
+    </message>
+    <message>
+        <source>3 Burn</source>
+        <translation>3 Brennen</translation>
+    </message>
+    <message>
+        <source>4 Judge</source>
+        <translation>4 Beurteilen</translation>
+    </message>
+    <message>
+        <source>Align landscape</source>
+        <translation>Landschaft angleichen</translation>
+    </message>
+    <message>
+        <source>Lay elevation, vegetation and density on one square grid in metres, the codes turned into classes of fuel.</source>
+        <translation>Legt Höhe, Vegetation und Dichte auf ein gemeinsames quadratisches Gitter in Metern und übersetzt die Codes in Brennstoffklassen.</translation>
+    </message>
+    <message>
+        <source>The layers may have any CRS, extent and cell size; they are laid on one square grid in metres. The density may be a raster, one word for all fuel (how closed it is), or left out if the legend gives it. A FlamMap landscape (.lcp) as elevation holds all layers.</source>
+        <translation>Die Layer dürfen jedes KBS, jede Ausdehnung und jede Zellgröße haben; sie werden auf ein quadratisches Gitter in Metern gelegt. Die Dichte kann ein Raster sein, ein Wort für allen Brennstoff (wie geschlossen er ist), oder fehlen, wenn die Legende sie angibt. Eine FlamMap-Landschaft (.lcp) als Höhe enthält alle Layer.</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Elevation in metres, in any CRS and cell size; or a landscape file (.lcp), which holds all layers.</source>
+        <translation>Höhe in Metern, in beliebigem KBS und beliebiger Zellgröße; oder eine Landschaftsdatei (.lcp), die alle Layer enthält.</translation>
+    </message>
+    <message>
+        <source>Vegetation</source>
+        <translation>Vegetation</translation>
+    </message>
+    <message>
+        <source>Codes of the vegetation, explained by the legend.</source>
+        <translation>Codes der Vegetation, die die Legende erklärt.</translation>
+    </message>
+    <message>
+        <source>Vegetation density</source>
+        <translation>Dichte der Vegetation</translation>
+    </message>
+    <message>
+        <source>Codes of the density of the vegetation; without it the densities come from the legend.</source>
+        <translation>Codes der Dichte der Vegetation; ohne sie kommen die Dichten aus der Legende.</translation>
+    </message>
+    <message>
+        <source>Legend of the vegetation codes</source>
+        <translation>Legende der Vegetationscodes</translation>
+    </message>
+    <message>
+        <source>What the vegetation codes mean: a built-in legend, or a CSV file of your own.</source>
+        <translation>Was die Vegetationscodes bedeuten: eine mitgelieferte Legende oder eine eigene CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>Fuel models of Anderson 1982</source>
+        <translation>Brennstoffmodelle nach Anderson 1982</translation>
+    </message>
+    <message>
+        <source>Canopy cover in percent as density: below 40 sparse, below 70 normal, else dense</source>
+        <translation>Kronenschluss in Prozent als Dichte: unter 40 licht, unter 70 normal, sonst dicht</translation>
+    </message>
+    <message>
+        <source>CORINE Land Cover, level 3, three-digit codes</source>
+        <translation>CORINE Land Cover, Ebene 3, dreistellige Codes</translation>
+    </message>
+    <message>
+        <source>CORINE Land Cover as the raster of the European Environment Agency holds it: grid codes 1 to 44 in the order of level 3</source>
+        <translation>CORINE Land Cover als Raster der Europäischen Umweltagentur: Gittercodes 1 bis 44 in der Reihenfolge der Ebene 3</translation>
+    </message>
+    <message>
+        <source>Vegetation densities of Russo, Russo, Siettos 2016</source>
+        <translation>Vegetationsdichten nach Russo, Russo, Siettos 2016</translation>
+    </message>
+    <message>
+        <source>Fuel map of Europe in 12 classes, as the PROPAGATOR fire model uses it</source>
+        <translation>Brennstoffkarte Europas in 12 Klassen, wie das Feuermodell PROPAGATOR sie benutzt</translation>
+    </message>
+    <message>
+        <source>Fuel types of the Canadian Forest Fire Behavior Prediction System</source>
+        <translation>Brennstofftypen des Canadian Forest Fire Behavior Prediction System</translation>
+    </message>
+    <message>
+        <source>Fuel models of Portugal</source>
+        <translation>Brennstoffmodelle Portugals</translation>
+    </message>
+    <message>
+        <source>Fuel models of the Chilean Kitral system, codes as in Cell2Fire</source>
+        <translation>Brennstoffmodelle des chilenischen Systems Kitral, Codes wie in Cell2Fire</translation>
+    </message>
+    <message>
+        <source>Vegetation types of Russo, Russo, Siettos 2016</source>
+        <translation>Vegetationstypen nach Russo, Russo, Siettos 2016</translation>
+    </message>
+    <message>
+        <source>Vegetation of the PROPAGATOR fire model in 7 classes</source>
+        <translation>Vegetation des Feuermodells PROPAGATOR in 7 Klassen</translation>
+    </message>
+    <message>
+        <source>Fire behaviour fuel models of Scott and Burgan 2005</source>
+        <translation>Brennstoffmodelle nach Scott und Burgan 2005</translation>
+    </message>
+    <message>
+        <source>Tree cover density in percent</source>
+        <translation>Baumbedeckung in Prozent</translation>
+    </message>
+    <message>
+        <source>ESA WorldCover 10 m, codes of releases 2020 v100 and 2021 v200</source>
+        <translation>ESA WorldCover 10 m, Codes der Ausgaben 2020 v100 und 2021 v200</translation>
+    </message>
+    <message>
+        <source>as one class for all fuel</source>
+        <translation>als eine Klasse für allen Brennstoff</translation>
+    </message>
+    <message>
+        <source>Sparse everywhere</source>
+        <translation>Überall licht</translation>
+    </message>
+    <message>
+        <source>Normal everywhere</source>
+        <translation>Überall normal</translation>
+    </message>
+    <message>
+        <source>Dense everywhere</source>
+        <translation>Überall dicht</translation>
+    </message>
+    <message>
+        <source>As closed as the fuel around each cell is</source>
+        <translation>So geschlossen wie der Brennstoff um jede Zelle</translation>
+    </message>
+    <message>
+        <source>as a CSV file</source>
+        <translation>als CSV-Datei</translation>
+    </message>
+    <message>
+        <source>Creation options, such as COMPRESS=ZSTD</source>
+        <translation>Erzeugungsoptionen, z. B. COMPRESS=ZSTD</translation>
+    </message>
+    <message>
+        <source>Creation option of GDAL's COG driver, e.g. COMPRESS=ZSTD.</source>
+        <translation>Erzeugungsoption des COG-Treibers von GDAL, z. B. COMPRESS=ZSTD.</translation>
+    </message>
+    <message>
+        <source>Legend of the density codes</source>
+        <translation>Legende der Dichtecodes</translation>
+    </message>
+    <message>
+        <source>What the density codes mean: a built-in legend, or a CSV file of your own.</source>
+        <translation>Was die Dichtecodes bedeuten: eine mitgelieferte Legende oder eine eigene CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>CRS of the grid</source>
+        <translation>KBS des Gitters</translation>
+    </message>
+    <message>
+        <source>CRS of the grid, projected in metres [default: the "Elevation"'s if it is in metres, else the UTM zone].</source>
+        <translation>KBS des Gitters, projiziert in Metern [sonst das von "Höhe", wenn es in Metern ist, sonst die UTM-Zone].</translation>
+    </message>
+    <message>
+        <source>Cell size [m]</source>
+        <translation>Zellgröße [m]</translation>
+    </message>
+    <message>
+        <source>Cell size [default: the "Elevation"'s].</source>
+        <translation>Zellgröße [sonst die von "Höhe"].</translation>
+    </message>
+    <message>
+        <source>Extent (needs the CRS of the grid)</source>
+        <translation>Ausdehnung (braucht das KBS des Gitters)</translation>
+    </message>
+    <message>
+        <source>Extent in the CRS of the grid [default: what all layers cover].</source>
+        <translation>Ausdehnung im KBS des Gitters [sonst, was alle Layer abdecken].</translation>
+    </message>
+    <message>
+        <source>Take the grid of this raster</source>
+        <translation>Gitter dieses Rasters übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the grid of this raster.</source>
+        <translation>Übernimmt das Gitter dieses Rasters.</translation>
+    </message>
+    <message>
+        <source>True CRS of the layers, such as dem=EPSG:32635</source>
+        <translation>Wahres KBS der Layer, z. B. dem=EPSG:32635</translation>
+    </message>
+    <message>
+        <source>The true CRS of dem, vegetation or density, or of all, where a file tells none or a wrong one.</source>
+        <translation>Das wahre KBS von dem, vegetation oder density, oder von allen, wo eine Datei keines oder ein falsches nennt.</translation>
+    </message>
+    <message>
+        <source>No-data values, such as dem=-9999; vegetation=255</source>
+        <translation>Leerwerte, z. B. dem=-9999; vegetation=255</translation>
+    </message>
+    <message>
+        <source>Values that mean no data in dem, vegetation or density, e.g. dem=-9999,32767; dem=none says that all are data; several are separated by ;.</source>
+        <translation>Werte, die in dem, vegetation oder density keine Daten bedeuten, z. B. dem=-9999,32767; dem=none heißt, dass alle Daten sind; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>Bands, such as dem=1; vegetation=2</source>
+        <translation>Kanäle, z. B. dem=1; vegetation=2</translation>
+    </message>
+    <message>
+        <source>Band to read of dem, vegetation or density.</source>
+        <translation>Kanal, der von dem, vegetation oder density gelesen wird.</translation>
+    </message>
+    <message>
+        <source>Codes that the legend does not list</source>
+        <translation>Codes, die in der Legende fehlen</translation>
+    </message>
+    <message>
+        <source>What to do with codes that the legend does not list.</source>
+        <translation>Was mit Codes geschieht, die in der Legende fehlen.</translation>
+    </message>
+    <message>
+        <source>Refuse them</source>
+        <translation>Zurückweisen</translation>
+    </message>
+    <message>
+        <source>Take them as land without fuel</source>
+        <translation>Als Land ohne Brennstoff nehmen</translation>
+    </message>
+    <message>
+        <source>Refuse what would only be warned of</source>
+        <translation>Zurückweisen, wovor sonst nur gewarnt wird</translation>
+    </message>
+    <message>
+        <source>Refuse what would only be warned of.</source>
+        <translation>Weist zurück, wovor sonst nur gewarnt würde.</translation>
+    </message>
+    <message>
+        <source>Allow network addresses and archives</source>
+        <translation>Netzwerkadressen und Archive erlauben</translation>
+    </message>
+    <message>
+        <source>Allow "Elevation", "Vegetation" and "Vegetation density" to be network addresses or in archives.</source>
+        <translation>Erlaubt, dass "Höhe", "Vegetation" und "Dichte der Vegetation" Netzwerkadressen sind oder in Archiven liegen.</translation>
+    </message>
+    <message>
+        <source>Most memory to use, such as 4GB</source>
+        <translation>Höchster Speicherbedarf, z. B. 4GB</translation>
+    </message>
+    <message>
+        <source>Refuse work that needs more, e.g. 4GB [default: most of what there is].</source>
+        <translation>Weist Arbeit zurück, die mehr braucht, z. B. 4GB [sonst das meiste von dem, was da ist].</translation>
+    </message>
+    <message>
+        <source>Calibration, or the account (run.json) of an earlier run</source>
+        <translation>Kalibrierung, oder Protokoll (run.json) eines früheren Laufs</translation>
+    </message>
+    <message>
+        <source>Take parameters from a TOML file, or from the run.json of an earlier run; options given here win.</source>
+        <translation>Nimmt Parameter aus einer TOML-Datei oder aus der run.json eines früheren Laufs; was hier angegeben wird, geht vor.</translation>
+    </message>
+    <message>
+        <source>Elevation on the common grid</source>
+        <translation>Höhe auf dem gemeinsamen Gitter</translation>
+    </message>
+    <message>
+        <source>Vegetation classes on the common grid</source>
+        <translation>Vegetationsklassen auf dem gemeinsamen Gitter</translation>
+    </message>
+    <message>
+        <source>Density classes on the common grid</source>
+        <translation>Dichteklassen auf dem gemeinsamen Gitter</translation>
+    </message>
+    <message>
+        <source>Effect of the vegetation, where the legend gives numbers in place of classes</source>
+        <translation>Wirkung der Vegetation, wo die Legende Zahlen statt Klassen angibt</translation>
+    </message>
+    <message>
+        <source>Effect of the density, where the legend gives numbers in place of classes</source>
+        <translation>Wirkung der Dichte, wo die Legende Zahlen statt Klassen angibt</translation>
+    </message>
+    <message>
+        <source>Rate of spread on flat calm dry ground, where the legend gives it</source>
+        <translation>Ausbreitungsgeschwindigkeit auf ebenem, trockenem Boden ohne Wind, wo die Legende sie angibt</translation>
+    </message>
+    <message>
+        <source>Load of dead fuel, where the legend gives it</source>
+        <translation>Menge des toten Brennstoffs, wo die Legende sie angibt</translation>
+    </message>
+    <message>
+        <source>Load of live fuel, where the legend gives it</source>
+        <translation>Menge des lebenden Brennstoffs, wo die Legende sie angibt</translation>
+    </message>
+    <message>
+        <source>Heat content of the fuel, where the legend gives it</source>
+        <translation>Heizwert des Brennstoffs, wo die Legende ihn angibt</translation>
+    </message>
+    <message>
+        <source>Moisture of the live fuel, where the legend gives it</source>
+        <translation>Feuchte des lebenden Brennstoffs, wo die Legende sie angibt</translation>
+    </message>
+    <message>
+        <source>Account of the run</source>
+        <translation>Protokoll des Laufs</translation>
+    </message>
+    <message>
+        <source>Folder for all files</source>
+        <translation>Ordner für alle Dateien</translation>
+    </message>
+    <message>
+        <source>Spread network</source>
+        <translation>Ausbreitungsnetz</translation>
+    </message>
+    <message>
+        <source>Find how likely fire spreads from each cell to its neighbours.</source>
+        <translation>Ermittelt, wie wahrscheinlich Feuer von jeder Zelle auf ihre Nachbarn übergreift.</translation>
+    </message>
+    <message>
+        <source>Bands 1 to 8 hold the probability that fire spreads to the N, NE, E, SE, S, SW, W and NW. If times are told too, bands 9 to 16 hold the seconds that this takes, and band 17 the heat that the cell releases (kJ/m2). Wind and slope then act on the times; so make a network without times for fires without a duration.</source>
+        <translation>Die Kanäle 1 bis 8 enthalten die Wahrscheinlichkeit, dass Feuer nach N, NO, O, SO, S, SW, W und NW übergreift. Werden auch Zeiten angegeben, enthalten die Kanäle 9 bis 16 die Sekunden, die das dauert, und Kanal 17 die Wärme, die die Zelle freisetzt (kJ/m2). Wind und Hang wirken dann auf die Zeiten; für Feuer ohne Dauer ist also ein Netz ohne Zeiten zu nehmen.</translation>
+    </message>
+    <message>
+        <source>Cells with fuel</source>
+        <translation>Zellen mit Brennstoff</translation>
+    </message>
+    <message>
+        <source>Spread model</source>
+        <translation>Ausbreitungsmodell</translation>
+    </message>
+    <message>
+        <source>How fire gets from a cell to its neighbours; all are described below.</source>
+        <translation>Wie Feuer von einer Zelle zu ihren Nachbarn kommt; alle Modelle sind unten beschrieben.</translation>
+    </message>
+    <message>
+        <source>Alexandridis: cellular automaton of vegetation type, density, slope and wind</source>
+        <translation>Alexandridis: zellulärer Automat aus Vegetationstyp, Dichte, Hang und Wind</translation>
+    </message>
+    <message>
+        <source>Artificial forest: the probability of catching fire is the fuel of the target cell</source>
+        <translation>Künstlicher Wald: die Wahrscheinlichkeit, Feuer zu fangen, ist der Brennstoff der Zielzelle</translation>
+    </message>
+    <message>
+        <source>Raster: your own probabilities, and perhaps travel times, from another fire model</source>
+        <translation>Raster: eigene Wahrscheinlichkeiten, und wenn vorhanden Laufzeiten, aus einem anderen Feuermodell</translation>
+    </message>
+    <message>
+        <source>Wind speed [m/s]</source>
+        <translation>Windgeschwindigkeit [m/s]</translation>
+    </message>
+    <message>
+        <source>Wind speed at mid-flame height in m/s, or a raster of it on any grid.</source>
+        <translation>Windgeschwindigkeit in halber Flammenhöhe in m/s, oder ein Raster davon auf beliebigem Gitter.</translation>
+    </message>
+    <message>
+        <source>Wind from [degrees clockwise from north]</source>
+        <translation>Wind aus [Grad im Uhrzeigersinn von Nord]</translation>
+    </message>
+    <message>
+        <source>Direction the wind comes from, clockwise from north: 270 is a west wind; a number or a raster.</source>
+        <translation>Richtung, aus der der Wind kommt, im Uhrzeigersinn von Nord: 270 ist Westwind; eine Zahl oder ein Raster.</translation>
+    </message>
+    <message>
+        <source>Tell times too (for fires with a duration)</source>
+        <translation>Auch Zeiten angeben (für Feuer mit einer Dauer)</translation>
+    </message>
+    <message>
+        <source>Also tell how long fire takes from cell to cell (bands 9 to 16, seconds) and the heat of each cell.</source>
+        <translation>Gibt auch an, wie lange Feuer von Zelle zu Zelle braucht (Kanäle 9 bis 16, Sekunden), und die Wärme jeder Zelle.</translation>
+    </message>
+    <message>
+        <source>as a raster</source>
+        <translation>als Raster</translation>
+    </message>
+    <message>
+        <source>Wind towards east and north, in place of speed and direction [m/s]</source>
+        <translation>Wind nach Ost und Nord, statt Geschwindigkeit und Richtung [m/s]</translation>
+    </message>
+    <message>
+        <source>Components of the wind towards east and north, in place of the two above: rasters on any grid.</source>
+        <translation>Komponenten des Windes nach Ost und Nord, an Stelle der beiden oben: Raster auf beliebigem Gitter.</translation>
+    </message>
+    <message>
+        <source>Moisture of the fine dead fuel (8 % is 0.08)</source>
+        <translation>Feuchte des feinen toten Brennstoffs (8 % sind 0.08)</translation>
+    </message>
+    <message>
+        <source>Moisture of the fine dead fuel as a share of its dry weight (8 % is 0.08 or 8%), or a raster of it.</source>
+        <translation>Feuchte des feinen toten Brennstoffs als Anteil seines Trockengewichts (8 % sind 0.08 oder 8%), oder ein Raster davon.</translation>
+    </message>
+    <message>
+        <source>Neighbours that a cell can light</source>
+        <translation>Nachbarn, die eine Zelle entzünden kann</translation>
+    </message>
+    <message>
+        <source>Cells to which fire can spread from a cell.</source>
+        <translation>Zellen, auf die Feuer von einer Zelle übergreifen kann.</translation>
+    </message>
+    <message>
+        <source>All eight</source>
+        <translation>Alle acht</translation>
+    </message>
+    <message>
+        <source>The four that share a side</source>
+        <translation>Die vier mit gemeinsamer Seite</translation>
+    </message>
+    <message>
+        <source>Parameters of the spread model, such as p0=0.5</source>
+        <translation>Parameter des Ausbreitungsmodells, z. B. p0=0.5</translation>
+    </message>
+    <message>
+        <source>Parameter of the spread model, e.g. p0=0.5; several are separated by ;.</source>
+        <translation>Parameter des Ausbreitungsmodells, z. B. p0=0.5; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>File with the probabilities for other tools (.mtx, .npz)</source>
+        <translation>Datei mit den Wahrscheinlichkeiten für andere Programme (.mtx, .npz)</translation>
+    </message>
+    <message>
+        <source>Also write the probabilities for other tools: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) or .graphml (up to 20,000 cells with fuel). Cells are numbered row by row from the upper left.</source>
+        <translation>Schreibt die Wahrscheinlichkeiten auch für andere Programme: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) oder .graphml (bis 20,000 Zellen mit Brennstoff). Zellen sind zeilenweise von links oben gezählt.</translation>
+    </message>
+    <message>
+        <source>Where a line can be held</source>
+        <translation>Wo eine Linie zu halten ist</translation>
+    </message>
+    <message>
+        <source>Rate from 0 to 1 how well a line can be held in each cell: the weighted mean of landform (ridges and valley bottoms), slope for machines, roads, rivers, edges of the fuel, and access.</source>
+        <translation>Bewertet von 0 bis 1, wie gut eine Linie in jeder Zelle zu halten ist: gewichtetes Mittel aus Geländeform (Kämme und Talböden), Hang für Maschinen, Wegen, Gewässern, Rändern des Brennstoffs und Zugang.</translation>
+    </message>
+    <message>
+        <source>The weights have no source for your region: they are yours to set.</source>
+        <translation>Für die Gewichte gibt es in Ihrer Region keine Quelle: Sie setzen sie selbst.</translation>
+    </message>
+    <message>
+        <source>Mean suitability where there is fuel</source>
+        <translation>Mittlere Eignung, wo Brennstoff ist</translation>
+    </message>
+    <message>
+        <source>Roads and tracks</source>
+        <translation>Straßen und Wege</translation>
+    </message>
+    <message>
+        <source>Roads and tracks (lines or a raster).</source>
+        <translation>Straßen und Wege (Linien oder ein Raster).</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes</source>
+        <translation>Flüsse und Seen</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes (lines, areas, a raster).</source>
+        <translation>Flüsse und Seen (Linien, Flächen, ein Raster).</translation>
+    </message>
+    <message>
+        <source>Weights and reaches, such as ridge=2; road_reach=60</source>
+        <translation>Gewichte und Reichweiten, z. B. ridge=2; road_reach=60</translation>
+    </message>
+    <message>
+        <source>Weight or reach of a factor, such as ridge=2 or road_reach=60; several are separated by ;.</source>
+        <translation>Gewicht oder Reichweite eines Faktors, z. B. ridge=2 oder road_reach=60; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>Plan fire breaks</source>
+        <translation>Brandschneisen planen</translation>
+    </message>
+    <message>
+        <source>Plan fire breaks from layers: where to cut, what to build first, and how often each cell burns without and with the breaks.</source>
+        <translation>Plant Brandschneisen aus Layern: wo geschnitten wird, was zuerst zu bauen ist, und wie oft jede Zelle ohne und mit Schneisen brennt.</translation>
+    </message>
+    <message>
+        <source>Cells cut</source>
+        <translation>Geschnittene Zellen</translation>
+    </message>
+    <message>
+        <source>Area cut in hectares</source>
+        <translation>Geschnittene Fläche in Hektar</translation>
+    </message>
+    <message>
+        <source>Mean burnt share without breaks</source>
+        <translation>Mittlerer verbrannter Anteil ohne Schneisen</translation>
+    </message>
+    <message>
+        <source>Mean burnt share with the breaks</source>
+        <translation>Mittlerer verbrannter Anteil mit den Schneisen</translation>
+    </message>
+    <message>
+        <source>Values at risk</source>
+        <translation>Gefährdete Werte</translation>
+    </message>
+    <message>
+        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
+        <translation>Gefährdete Werte: ein Raster, oder Polygone oder Punkte mit "Feld mit dem Wert" [sonst 1 auf Brennstoff].</translation>
+    </message>
+    <message>
+        <source>Area where nothing may be cut</source>
+        <translation>Gebiet, in dem nichts geschnitten werden darf</translation>
+    </message>
+    <message>
+        <source>Area (raster or polygons, lines take the cells that they touch) where nothing may be cut.</source>
+        <translation>Gebiet (Raster oder Polygone; Linien nehmen die Zellen, die sie berühren), in dem nichts geschnitten werden darf.</translation>
+    </message>
+    <message>
+        <source>Existing barriers</source>
+        <translation>Vorhandene Barrieren</translation>
+    </message>
+    <message>
+        <source>Existing breaks, roads, rivers (raster, lines or polygons): all cells that they cut hold no fuel and cost nothing.</source>
+        <translation>Vorhandene Schneisen, Straßen, Flüsse (Raster, Linien oder Polygone): alle Zellen, die sie schneiden, haben keinen Brennstoff und kosten nichts.</translation>
+    </message>
+    <message>
+        <source>How long fires burn, such as 8h</source>
+        <translation>Wie lange Feuer brennen, z. B. 8h</translation>
+    </message>
+    <message>
+        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
+        <translation>Wie lange Feuer brennen: 8h, eine Liste, die die Läufe der Reihe nach nehmen (4h,8h), lognormal:8h,0.7 (Median und Sigma), uniform:2h,12h, oder weather [sonst lognormal:8h,0.7, eine Annahme].</translation>
+    </message>
+    <message>
+        <source>Budget (by default a share of the fuel)</source>
+        <translation>Budget (sonst ein Anteil des Brennstoffs)</translation>
+    </message>
+    <message>
+        <source>How much to cut; by default a share of the cells that hold fuel, 0 to 1 (14 % is 0.14).</source>
+        <translation>Wie viel geschnitten wird; sonst ein Anteil der Zellen mit Brennstoff, 0 bis 1 (14 % sind 0.14).</translation>
+    </message>
+    <message>
+        <source>Ranking</source>
+        <translation>Rangfolge</translation>
+    </message>
+    <message>
+        <source>By which cells are ranked; higher is cut earlier. All are described below.</source>
+        <translation>Wonach Zellen gereiht werden; höher wird früher geschnitten. Alle sind unten beschrieben.</translation>
+    </message>
+    <message>
+        <source>Betweenness centrality: cells that lie on many fastest routes of fire</source>
+        <translation>Betweenness-Zentralität: Zellen, die auf vielen schnellsten Wegen des Feuers liegen</translation>
+    </message>
+    <message>
+        <source>Bonacich power centrality: cells through which fire reaches cells that are easily reached themselves</source>
+        <translation>Bonacich-Zentralität: Zellen, durch die Feuer Zellen erreicht, die selbst leicht erreicht werden</translation>
+    </message>
+    <message>
+        <source>Closeness centrality: cells that fire reaches soon from anywhere, or from which it soon reaches anywhere</source>
+        <translation>Closeness-Zentralität: Zellen, die Feuer von überall bald erreicht, oder von denen es bald überall ist</translation>
+    </message>
+    <message>
+        <source>Compartments: a square grid of bands that encloses equal ones</source>
+        <translation>Brandabschnitte: ein quadratisches Netz von Streifen, das gleiche Abschnitte umschließt</translation>
+    </message>
+    <message>
+        <source>Current-flow betweenness: cells through which spread passes by any route, not by the fastest alone</source>
+        <translation>Stromfluss-Betweenness: Zellen, durch die sich Feuer auf irgendeinem Weg ausbreitet, nicht nur auf dem schnellsten</translation>
+    </message>
+    <message>
+        <source>Degree: cells that are lit by, or light, their neighbours most</source>
+        <translation>Grad: Zellen, die am meisten von ihren Nachbarn entzündet werden oder sie entzünden</translation>
+    </message>
+    <message>
+        <source>Defensible fuel profile zones (DFPZ): broad bands along roads and ridges</source>
+        <translation>Verteidigbare Brennstoffzonen (DFPZ): breite Streifen entlang von Wegen und Kämmen</translation>
+    </message>
+    <message>
+        <source>Dissection: walls between compartments by nested minimum cuts, those that save most for their cost first</source>
+        <translation>Zerlegung: Wände zwischen Brandabschnitten aus geschachtelten minimalen Schnitten, die lohnendsten zuerst</translation>
+    </message>
+    <message>
+        <source>Dominator: exact gain of cutting one cell, found anew after every few cuts</source>
+        <translation>Dominator: genauer Gewinn aus dem Schneiden einer Zelle, nach wenigen Schnitten jeweils neu bestimmt</translation>
+    </message>
+    <message>
+        <source>DomiRank: cells that dominate their neighbourhood when neighbours compete</source>
+        <translation>DomiRank: Zellen, die ihre Umgebung beherrschen, wenn Nachbarn im Wettbewerb stehen</translation>
+    </message>
+    <message>
+        <source>Downstream protection value: cells from which most value was lit, found anew after every few cuts</source>
+        <translation>Schutzwert stromab: Zellen, von denen aus der meiste Wert entzündet wurde, nach wenigen Schnitten jeweils neu bestimmt</translation>
+    </message>
+    <message>
+        <source>Eigenvector centrality: cells next to the cells that matter most, all in one place of the map</source>
+        <translation>Eigenvektor-Zentralität: Zellen neben den wichtigsten Zellen, alle an einer Stelle der Karte</translation>
+    </message>
+    <message>
+        <source>Flammability: most flammable cells first, the conventional policy, which looks at each cell alone</source>
+        <translation>Brennbarkeit: die brennbarsten Zellen zuerst, das übliche Vorgehen, das jede Zelle für sich ansieht</translation>
+    </message>
+    <message>
+        <source>Group betweenness: built cell by cell, each covers fastest routes that the group leaves open</source>
+        <translation>Gruppen-Betweenness: Zelle für Zelle gebildet, jede deckt schnellste Wege, die die Gruppe noch offen lässt</translation>
+    </message>
+    <message>
+        <source>Information centrality: cells that many parallel ways of spread join closely to all others</source>
+        <translation>Informations-Zentralität: Zellen, die viele parallele Ausbreitungswege eng mit allen anderen verbinden</translation>
+    </message>
+    <message>
+        <source>PageRank: cells that a fire wandering at random from cell to cell is often in</source>
+        <translation>PageRank: Zellen, in denen ein zufällig wanderndes Feuer oft ist</translation>
+    </message>
+    <message>
+        <source>Percolation centrality: cells on many fastest routes from where fires start</source>
+        <translation>Perkolations-Zentralität: Zellen auf vielen schnellsten Wegen von dort, wo Feuer entstehen</translation>
+    </message>
+    <message>
+        <source>Random: cells in random order, the baseline that every plan must beat</source>
+        <translation>Zufall: Zellen in zufälliger Folge, das Maß, das jeder Plan übertreffen muss</translation>
+    </message>
+    <message>
+        <source>Strategically placed area treatments (SPLAT): staggered patches that slow a fire, with no line through them</source>
+        <translation>Strategisch gesetzte Behandlungsflächen (SPLAT): versetzte Flächen, die ein Feuer bremsen, ohne gerade Durchfahrt</translation>
+    </message>
+    <message>
+        <source>Stripes: parallel bands across a direction, the plainest pattern of practice</source>
+        <translation>Streifen: parallele Bänder quer zu einer Richtung, das schlichteste Muster der Praxis</translation>
+    </message>
+    <message>
+        <source>Ignition points</source>
+        <translation>Zündpunkte</translation>
+    </message>
+    <message>
+        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
+        <translation>Punkte, Polygone (Umrisse, die schon brennen; jede Vektordatei, oder CSV mit x und y) oder ein Raster der Zündwahrscheinlichkeit [sonst je Lauf eine zufällige Zelle mit Brennstoff].</translation>
+    </message>
+    <message>
+        <source>Number of fires</source>
+        <translation>Anzahl der Feuer</translation>
+    </message>
+    <message>
+        <source>Simulated fires.</source>
+        <translation>Simulierte Feuer.</translation>
+    </message>
+    <message>
+        <source>Unit of the budget</source>
+        <translation>Einheit des Budgets</translation>
+    </message>
+    <message>
+        <source>What "Budget" counts: a share of the fuel, hectares, or money (with "Cost of cutting per hectare").</source>
+        <translation>Was "Budget" zählt: einen Anteil des Brennstoffs, Hektar, oder Geld (mit "Schnittkosten je Hektar").</translation>
+    </message>
+    <message>
+        <source>Share of the fuel (0 to 1)</source>
+        <translation>Anteil des Brennstoffs (0 bis 1)</translation>
+    </message>
+    <message>
+        <source>Hectares</source>
+        <translation>Hektar</translation>
+    </message>
+    <message>
+        <source>Money</source>
+        <translation>Geld</translation>
+    </message>
+    <message>
+        <source>Parameters of the ranking, such as beta=0.5; width=60</source>
+        <translation>Parameter der Rangfolge, z. B. beta=0.5; width=60</translation>
+    </message>
+    <message>
+        <source>Parameter of the ranking, e.g. beta=0.5; several are separated by ;.</source>
+        <translation>Parameter der Rangfolge, z. B. beta=0.5; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>Share of the spread that a break lets through</source>
+        <translation>Anteil der Ausbreitung, den eine Schneise durchlässt</translation>
+    </message>
+    <message>
+        <source>Share of its spread probability that a treated cell keeps; 0 is a perfect break, real ones leak.</source>
+        <translation>Anteil seiner Ausbreitungswahrscheinlichkeit, den eine behandelte Zelle behält; 0 ist eine vollkommene Schneise, wirkliche sind durchlässig.</translation>
+    </message>
+    <message>
+        <source>Least width of the breaks [m]</source>
+        <translation>Mindestbreite der Schneisen [m]</translation>
+    </message>
+    <message>
+        <source>Least width of the breaks, rounded up to whole cells [default: one cell, or the best for "Share of the spread that a break lets through"].</source>
+        <translation>Mindestbreite der Schneisen, aufgerundet auf ganze Zellen [sonst eine Zelle, oder die beste für "Anteil der Ausbreitung"].</translation>
+    </message>
+    <message>
+        <source>Improve the breaks on simulated fires (takes longer)</source>
+        <translation>Schneisen an simulierten Feuern verbessern (dauert länger)</translation>
+    </message>
+    <message>
+        <source>Improve the breaks by local search on simulated fires; takes longer.</source>
+        <translation>Verbessert die Schneisen durch örtliche Suche an simulierten Feuern; dauert länger.</translation>
+    </message>
+    <message>
+        <source>Treatments (CSV, or default)</source>
+        <translation>Behandlungen (CSV, oder default)</translation>
+    </message>
+    <message>
+        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost [default: all segments alike, by "Share of the spread that a break lets through"].</source>
+        <translation>Tabelle der Behandlungen (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), oder default: jedes Teilstück erhält die, die für ihre Kosten am meisten erspart [sonst alle Teilstücke gleich, nach "Anteil der Ausbreitung"].</translation>
+    </message>
+    <message>
+        <source>as a word</source>
+        <translation>als Wort</translation>
+    </message>
+    <message>
+        <source>Cost of cutting per hectare</source>
+        <translation>Schnittkosten je Hektar</translation>
+    </message>
+    <message>
+        <source>Cost of cutting per hectare: a raster, polygons with "Field with the cost", or classes such as agricultural=500,shrubs=900,pines=1500.</source>
+        <translation>Schnittkosten je Hektar: ein Raster, Polygone mit "Feld mit den Kosten", oder Klassen wie agricultural=500,shrubs=900,pines=1500.</translation>
+    </message>
+    <message>
+        <source>as classes: agricultural=500,pines=1500</source>
+        <translation>als Klassen: agricultural=500,pines=1500</translation>
+    </message>
+    <message>
+        <source>Field with the cost</source>
+        <translation>Feld mit den Kosten</translation>
+    </message>
+    <message>
+        <source>Column of the cost polygons.</source>
+        <translation>Spalte der Kostenpolygone.</translation>
+    </message>
+    <message>
+        <source>Cost per hectare where none is known</source>
+        <translation>Kosten je Hektar, wo keine bekannt sind</translation>
+    </message>
+    <message>
+        <source>Cost per hectare where "Cost of cutting per hectare" tells none; alone, everywhere [default: nothing is cut there].</source>
+        <translation>Kosten je Hektar, wo "Schnittkosten je Hektar" keine nennt; allein überall [sonst wird dort nichts geschnitten].</translation>
+    </message>
+    <message>
+        <source>Area outside of which nothing may be cut</source>
+        <translation>Gebiet, außerhalb dessen nichts geschnitten werden darf</translation>
+    </message>
+    <message>
+        <source>Area (raster or polygons, lines take the cells that they touch) outside of which nothing may be cut.</source>
+        <translation>Gebiet (Raster oder Polygone; Linien nehmen die Zellen, die sie berühren), außerhalb dessen nichts geschnitten werden darf.</translation>
+    </message>
+    <message>
+        <source>Cells that protected and allowed areas keep</source>
+        <translation>Zellen, die geschützte und erlaubte Gebiete behalten</translation>
+    </message>
+    <message>
+        <source>Cells that "Area where nothing may be cut" and "Area outside of which nothing may be cut" keep from being cut: all with a part inside the one or outside the other, or those whose centre is.</source>
+        <translation>Zellen, die "Gebiet" und "Gebiet" vor dem Schneiden bewahren: alle mit einem Teil in dem einen oder außerhalb des anderen, oder die, deren Mittelpunkt dort liegt.</translation>
+    </message>
+    <message>
+        <source>Cells with any part in the area</source>
+        <translation>Zellen, von denen ein Teil im Gebiet liegt</translation>
+    </message>
+    <message>
+        <source>Cells whose centre is in the area</source>
+        <translation>Zellen, deren Mittelpunkt im Gebiet liegt</translation>
+    </message>
+    <message>
+        <source>Field with the value</source>
+        <translation>Feld mit dem Wert</translation>
+    </message>
+    <message>
+        <source>Column of the value polygons or points [default: 1 for each].</source>
+        <translation>Spalte der Wertpolygone oder -punkte [sonst 1 für jedes].</translation>
+    </message>
+    <message>
+        <source>Values are</source>
+        <translation>Die Werte sind</translation>
+    </message>
+    <message>
+        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
+        <translation>Was die Zahlen von "Gefährdete Werte" sind: soviel in jeder Zelle des Rasters, jedem Polygon oder Punkt (Menschen), wovon die Summe erhalten bleibt; oder soviel je Hektar.</translation>
+    </message>
+    <message>
+        <source>So much in each cell, polygon or point</source>
+        <translation>Soviel je Zelle, Polygon oder Punkt</translation>
+    </message>
+    <message>
+        <source>So much a hectare</source>
+        <translation>Soviel je Hektar</translation>
+    </message>
+    <message>
+        <source>Conditions on features, such as barriers=highway = 'primary'</source>
+        <translation>Bedingungen an Objekte, z. B. barriers=highway = 'primary'</translation>
+    </message>
+    <message>
+        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
+        <translation>Nimmt nur Objekte, die eine Bedingung erfüllen, mit dem Namen des Layers davor, z. B. barriers=highway = 'primary'; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>Use of the ignition points</source>
+        <translation>Verwendung der Zündpunkte</translation>
+    </message>
+    <message>
+        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
+        <translation>Bei Punkten oder Polygonen: die Läufe nehmen sie der Reihe nach (der Startwert lost die Folge), beginnen an allen, oder beginnen, wo solche Feuer der Vergangenheit dicht liegen.</translation>
+    </message>
+    <message>
+        <source>One for each fire, in turn</source>
+        <translation>Einer je Feuer, der Reihe nach</translation>
+    </message>
+    <message>
+        <source>All at once in every fire</source>
+        <translation>Alle zugleich in jedem Feuer</translation>
+    </message>
+    <message>
+        <source>More fires where they are dense</source>
+        <translation>Mehr Feuer, wo sie dicht liegen</translation>
+    </message>
+    <message>
+        <source>Ignition points without fuel</source>
+        <translation>Zündpunkte ohne Brennstoff</translation>
+    </message>
+    <message>
+        <source>What to do with points and polygons off the landscape or without fuel.</source>
+        <translation>Was mit Punkten und Polygonen außerhalb der Landschaft oder ohne Brennstoff geschieht.</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Column with the hour of each ignition</source>
+        <translation>Spalte mit der Stunde jeder Zündung</translation>
+    </message>
+    <message>
+        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
+        <translation>Spalte der Zündungen, die sagt, wann jede entsteht, in Stunden nach Beginn des Laufs.</translation>
+    </message>
+    <message>
+        <source>Embers</source>
+        <translation>Flugfeuer</translation>
+    </message>
+    <message>
+        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
+        <translation>Glut, die dem Feuer vorausfliegt: on, oder Zahlen wie rate=12,longest=1000 an Stelle der angenommenen.</translation>
+    </message>
+    <message>
+        <source>When crews contain a fire, such as 6h</source>
+        <translation>Wann Einsatzkräfte ein Feuer eindämmen, z. B. 6h</translation>
+    </message>
+    <message>
+        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
+        <translation>Wann Einsatzkräfte jedes Feuer eindämmen: eine Zeit oder eine Verteilung wie für "Wie lange Feuer brennen", oder ein direkter Angriff zu solcher Zeit, der misslingt, wenn das Feuer dann zu groß oder zu heftig ist: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha darüber) [sonst nie].</translation>
+    </message>
+    <message>
+        <source>How often a break holds, such as 0.47</source>
+        <translation>Wie oft eine Schneise hält, z. B. 0.47</translation>
+    </message>
+    <message>
+        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
+        <translation>Wie oft ein Stück Schneise in einem Lauf hält: ein Anteil (0.47 im Gelände), flame (nach Breite und Intensität des Feuers, Wilson 1988) oder flame:flames (1.5 Flammenlängen); Stücke haben 400 m, oder wie in 0.47:800 [sonst 0.47, eine Annahme].</translation>
+    </message>
+    <message>
+        <source>How often a barrier holds, such as 0.9</source>
+        <translation>Wie oft eine Barriere hält, z. B. 0.9</translation>
+    </message>
+    <message>
+        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
+        <translation>Anteil der Läufe, in denen ein Stück der Barrieren hält; getrennt von den Schneisen gezogen.</translation>
+    </message>
+    <message>
+        <source>Fires without an end by time</source>
+        <translation>Feuer ohne zeitliches Ende</translation>
+    </message>
+    <message>
+        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
+        <translation>Feuer enden von selbst, und Schneisen halten in jedem Feuer, wenn "Wie oft eine Schneise hält" nichts anderes sagt, wie in der Veröffentlichung.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert des Zufalls</translation>
+    </message>
+    <message>
+        <source>Seed of all draws.</source>
+        <translation>Startwert aller Zufallszahlen.</translation>
+    </message>
+    <message>
+        <source>Table of weather</source>
+        <translation>Wettertabelle</translation>
+    </message>
+    <message>
+        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
+        <translation>Menge von Wetterlagen, von denen jeder Lauf eine zieht: eine CSV-Datei mit wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; oder eine Windrose wie rose:NW=5x0.4,N=8x0.2.</translation>
+    </message>
+    <message>
+        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
+        <translation>als Windrose: rose:NW=5x0.4,N=8x0.2</translation>
+    </message>
+    <message>
+        <source>Time of each line of the table of weather, such as 1h</source>
+        <translation>Dauer jeder Zeile der Wettertabelle, z. B. 1h</translation>
+    </message>
+    <message>
+        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
+        <translation>Die Zeilen des Wetters folgen aufeinander, und jede dauert so lange, z. B. 1h.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather, such as wind_speed=FF</source>
+        <translation>Spalten der Wettertabelle, z. B. wind_speed=FF</translation>
+    </message>
+    <message>
+        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
+        <translation>Name einer Spalte des Wetters, z. B. wind_speed=FF; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>Units of the table of weather, such as wind_speed=kn</source>
+        <translation>Einheiten der Wettertabelle, z. B. wind_speed=kn</translation>
+    </message>
+    <message>
+        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
+        <translation>Einheit einer Spalte des Wetters, die sie nicht nennt, z. B. wind_speed=kn; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather to leave out</source>
+        <translation>Spalten der Wettertabelle, die wegbleiben</translation>
+    </message>
+    <message>
+        <source>Columns of the weather to leave out, separated by commas.</source>
+        <translation>Spalten des Wetters, die wegbleiben, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>Fire breaks</source>
+        <translation>Brandschneisen</translation>
+    </message>
+    <message>
+        <source>Fire breaks as polygons</source>
+        <translation>Brandschneisen als Polygone</translation>
+    </message>
+    <message>
+        <source>Segments to build, in order</source>
+        <translation>Zu bauende Teilstücke, der Reihe nach</translation>
+    </message>
+    <message>
+        <source>Compartments between the breaks</source>
+        <translation>Brandabschnitte zwischen den Schneisen</translation>
+    </message>
+    <message>
+        <source>The plan on one page: map, segments, doubt; opens in any browser</source>
+        <translation>Der Plan auf einer Seite: Karte, Teilstücke, Unsicherheit; öffnet sich in jedem Browser</translation>
+    </message>
+    <message>
+        <source>Cutting priority</source>
+        <translation>Schnittpriorität</translation>
+    </message>
+    <message>
+        <source>Burn frequency without breaks</source>
+        <translation>Brandhäufigkeit ohne Schneisen</translation>
+    </message>
+    <message>
+        <source>Burn frequency with the breaks</source>
+        <translation>Brandhäufigkeit mit den Schneisen</translation>
+    </message>
+    <message>
+        <source>Size of every fire without and with the breaks</source>
+        <translation>Größe jedes Feuers ohne und mit den Schneisen</translation>
+    </message>
+    <message>
+        <source>Burnt share at every budget</source>
+        <translation>Verbrannter Anteil bei jedem Budget</translation>
+    </message>
+    <message>
+        <source>Cells burnt in every run of it</source>
+        <translation>Verbrannte Zellen in jedem Lauf dazu</translation>
+    </message>
+    <message>
+        <source>Burnt share at every budget, without a clock and with perfect breaks</source>
+        <translation>Verbrannter Anteil bei jedem Budget, ohne Zeit und mit vollkommenen Schneisen</translation>
+    </message>
+    <message>
+        <source>Picture of the plan</source>
+        <translation>Bild des Plans</translation>
+    </message>
+    <message>
+        <source>Rank cells</source>
+        <translation>Zellen reihen</translation>
+    </message>
+    <message>
+        <source>Rank the cells of a spread network by the order in which they should be cut: higher is earlier.</source>
+        <translation>Reiht die Zellen eines Ausbreitungsnetzes in der Folge, in der sie zu schneiden sind: höher ist früher.</translation>
+    </message>
+    <message>
+        <source>Rankings that lay a pattern for the budget give another order for another budget.</source>
+        <translation>Rangfolgen, die für das Budget ein Muster legen, ergeben für ein anderes Budget eine andere Folge.</translation>
+    </message>
+    <message>
+        <source>Eight bands with the probability that fire spreads to the N, NE, E, SE, S, SW, W and NW.</source>
+        <translation>Acht Kanäle mit der Wahrscheinlichkeit, dass Feuer nach N, NO, O, SO, S, SW, W und NW übergreift.</translation>
+    </message>
+    <message>
+        <source>Elevation, for methods that follow ridges [m].</source>
+        <translation>Höhe, für Methoden, die Kämmen folgen [m].</translation>
+    </message>
+    <message>
+        <source>How likely a fire starts in each cell, relative to the others [default: alike].</source>
+        <translation>Wie wahrscheinlich ein Feuer in jeder Zelle entsteht, im Verhältnis zu den anderen [sonst gleich].</translation>
+    </message>
+    <message>
+        <source>Cost of cutting per hectare: a raster, polygons with "Field with the cost".</source>
+        <translation>Schnittkosten je Hektar: ein Raster, Polygone mit "Feld mit den Kosten".</translation>
+    </message>
+    <message>
+        <source>Select fire breaks</source>
+        <translation>Brandschneisen auswählen</translation>
+    </message>
+    <message>
+        <source>Cut the cells of highest priority, as many as the budget allows.</source>
+        <translation>Schneidet die Zellen mit der höchsten Priorität, so viele das Budget erlaubt.</translation>
+    </message>
+    <message>
+        <source>Ties are cut by row, then column. A priority that was made for another budget is warned of.</source>
+        <translation>Bei Gleichstand wird nach Zeile, dann Spalte geschnitten. Vor einer Priorität, die für ein anderes Budget gemacht wurde, wird gewarnt.</translation>
+    </message>
+    <message>
+        <source>Score by which cells are cut, higher is earlier.</source>
+        <translation>Zahl, nach der Zellen geschnitten werden, höher ist früher.</translation>
+    </message>
+    <message>
+        <source>Cost per hectare, for "Unit of the budget" cost: a raster, or polygons with "Field with the cost".</source>
+        <translation>Kosten je Hektar, wenn "Einheit des Budgets" Geld ist: ein Raster, oder Polygone mit "Feld mit den Kosten".</translation>
+    </message>
+    <message>
+        <source>Take a raster that was not written as a priority</source>
+        <translation>Ein Raster nehmen, das nicht als Priorität geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>Take a raster that was not written as a priority all the same: its greatest numbers are cut first.</source>
+        <translation>Nimmt ein Raster, das nicht als Priorität geschrieben wurde, trotzdem: seine größten Zahlen werden zuerst geschnitten.</translation>
+    </message>
+    <message>
+        <source>Segments to build</source>
+        <translation>Zu bauende Teilstücke</translation>
+    </message>
+    <message>
+        <source>Take fire breaks apart into segments to build, best first.</source>
+        <translation>Zerlegt Brandschneisen in Teilstücke, die zu bauen sind, die besten zuerst.</translation>
+    </message>
+    <message>
+        <source>Each segment separates two compartments of fuel, and has an order of construction, a length, width, area, mean slope and cost, and the share of all that the breaks save that it adds.</source>
+        <translation>Jedes Teilstück trennt zwei Brandabschnitte und hat eine Baufolge, Länge, Breite, Fläche, mittlere Neigung und Kosten sowie den Anteil, den es zur gesamten Ersparnis der Schneisen beiträgt.</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Teilstücke</translation>
+    </message>
+    <message>
+        <source>Stages of construction</source>
+        <translation>Baustufen</translation>
+    </message>
+    <message>
+        <source>Length in kilometres</source>
+        <translation>Länge in Kilometern</translation>
+    </message>
+    <message>
+        <source>Compartments</source>
+        <translation>Brandabschnitte</translation>
+    </message>
+    <message>
+        <source>Cells that are cut: 1, all others 0.</source>
+        <translation>Zellen, die geschnitten sind: 1, alle anderen 0.</translation>
+    </message>
+    <message>
+        <source>Ranking; decides between segments that save equally much.</source>
+        <translation>Rangfolge; entscheidet zwischen Teilstücken, die gleich viel ersparen.</translation>
+    </message>
+    <message>
+        <source>Elevation on any grid, for the slopes [m].</source>
+        <translation>Höhe auf beliebigem Gitter, für die Neigungen [m].</translation>
+    </message>
+    <message>
+        <source>as polygons or lines</source>
+        <translation>als Polygone oder Linien</translation>
+    </message>
+    <message>
+        <source>Burn frequency</source>
+        <translation>Brandhäufigkeit</translation>
+    </message>
+    <message>
+        <source>Let many fires start and tell how often each cell burns.</source>
+        <translation>Lässt viele Feuer entstehen und sagt, wie oft jede Zelle brennt.</translation>
+    </message>
+    <message>
+        <source>Fires with a duration need a network with times. With the same seed the fires are the same with and without breaks, so their difference is the breaks' work alone.</source>
+        <translation>Feuer mit einer Dauer brauchen ein Netz mit Zeiten. Mit demselben Startwert sind die Feuer mit und ohne Schneisen dieselben, ihr Unterschied ist also allein das Werk der Schneisen.</translation>
+    </message>
+    <message>
+        <source>Mean burnt share</source>
+        <translation>Mittlerer verbrannter Anteil</translation>
+    </message>
+    <message>
+        <source>Largest burnt share</source>
+        <translation>Größter verbrannter Anteil</translation>
+    </message>
+    <message>
+        <source>Mean fire in hectares</source>
+        <translation>Mittleres Feuer in Hektar</translation>
+    </message>
+    <message>
+        <source>Largest fire in hectares</source>
+        <translation>Größtes Feuer in Hektar</translation>
+    </message>
+    <message>
+        <source>Cut cells: a raster, or own breaks as polygons or lines.</source>
+        <translation>Geschnittene Zellen: ein Raster, oder eigene Schneisen als Polygone oder Linien.</translation>
+    </message>
+    <message>
+        <source>Roads, rivers and the like on ground that the network holds as fuel; they stop fire as "How often a barrier holds" says.</source>
+        <translation>Straßen, Flüsse und dergleichen auf Boden, der im Netz Brennstoff ist; sie halten Feuer auf, wie "Wie oft eine Barriere hält" sagt.</translation>
+    </message>
+    <message>
+        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: until they end by themselves].</source>
+        <translation>Wie lange Feuer brennen: 8h, eine Liste, die die Läufe der Reihe nach nehmen (4h,8h), lognormal:8h,0.7 (Median und Sigma), uniform:2h,12h, oder weather [sonst, bis sie von selbst enden].</translation>
+    </message>
+    <message>
+        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: always].</source>
+        <translation>Wie oft ein Stück Schneise in einem Lauf hält: ein Anteil (0.47 im Gelände), flame (nach Breite und Intensität des Feuers, Wilson 1988) oder flame:flames (1.5 Flammenlängen); Stücke haben 400 m, oder wie in 0.47:800 [sonst immer].</translation>
+    </message>
+    <message>
+        <source>Times for the folder of arrival times, such as 2h,4h</source>
+        <translation>Zeiten für den Ordner der Ankunftszeiten, z. B. 2h,4h</translation>
+    </message>
+    <message>
+        <source>Times for "Folder for arrival times".</source>
+        <translation>Zeiten für "Ordner für Ankunftszeiten".</translation>
+    </message>
+    <message>
+        <source>Limits of the classes of fire sizes [hectares]</source>
+        <translation>Grenzen der Größenklassen der Feuer [Hektar]</translation>
+    </message>
+    <message>
+        <source>Limits of the classes of fire sizes for "Folder for arrival times", in hectares.</source>
+        <translation>Grenzen der Größenklassen der Feuer für "Ordner für Ankunftszeiten", in Hektar.</translation>
+    </message>
+    <message>
+        <source>Flame lengths for the folder of arrival times [m]</source>
+        <translation>Flammenlängen für den Ordner der Ankunftszeiten [m]</translation>
+    </message>
+    <message>
+        <source>Flame lengths for "Folder for arrival times", in metres; left out if the network knows no heat.</source>
+        <translation>Flammenlängen für "Ordner für Ankunftszeiten", in Metern; entfallen, wenn das Netz keine Wärme kennt.</translation>
+    </message>
+    <message>
+        <source>Fire sizes</source>
+        <translation>Feuergrößen</translation>
+    </message>
+    <message>
+        <source>Folder for arrival times, isochrones and more</source>
+        <translation>Ordner für Ankunftszeiten, Isochronen und mehr</translation>
+    </message>
+    <message>
+        <source>Evaluate</source>
+        <translation>Bewerten</translation>
+    </message>
+    <message>
+        <source>Judge rankings: mean, 90 % percentile and maximum of the burnt share at every budget.</source>
+        <translation>Beurteilt Rangfolgen: Mittel, 90-%-Perzentil und Maximum des verbrannten Anteils bei jedem Budget.</translation>
+    </message>
+    <message>
+        <source>All rankings meet the same fires, and each plan is made for its budget.</source>
+        <translation>Alle Rangfolgen treffen auf dieselben Feuer, und jeder Plan ist für sein Budget gemacht.</translation>
+    </message>
+    <message>
+        <source>Rankings</source>
+        <translation>Rangfolgen</translation>
+    </message>
+    <message>
+        <source>Rankings to hold against each other; all are described below.</source>
+        <translation>Rangfolgen, die gegeneinander gehalten werden; alle sind unten beschrieben.</translation>
+    </message>
+    <message>
+        <source>Ranking to test against</source>
+        <translation>Rangfolge, gegen die getestet wird</translation>
+    </message>
+    <message>
+        <source>Ranking that the others are tested against.</source>
+        <translation>Rangfolge, gegen die die anderen getestet werden.</translation>
+    </message>
+    <message>
+        <source>Budgets, separated by commas</source>
+        <translation>Budgets, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
+        <translation>Zu schneidende Anteile, durch Kommas getrennt [sonst 0 bis 0.4 in Schritten von 0.01; wo jedes Budget neu gebrannt wird, mit Zeit oder Schneisen, die versagen, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Paired Wilcoxon signed-rank, Wilcoxon rank-sum for independent runs, or paired t.</source>
+        <translation>Wilcoxon-Vorzeichen-Rang-Test für Paare, Wilcoxon-Rangsummentest für unabhängige Läufe, oder t-Test für Paare.</translation>
+    </message>
+    <message>
+        <source>Wilcoxon's signed-rank test of pairs</source>
+        <translation>Wilcoxon-Vorzeichen-Rang-Test für Paare</translation>
+    </message>
+    <message>
+        <source>Wilcoxon's rank-sum test of independent runs</source>
+        <translation>Wilcoxon-Rangsummentest für unabhängige Läufe</translation>
+    </message>
+    <message>
+        <source>Student's t-test of pairs</source>
+        <translation>Students t-Test für Paare</translation>
+    </message>
+    <message>
+        <source>Significance threshold</source>
+        <translation>Signifikanzschwelle</translation>
+    </message>
+    <message>
+        <source>Significance threshold.</source>
+        <translation>Signifikanzschwelle.</translation>
+    </message>
+    <message>
+        <source>Burnt share and significance of every ranking at every budget</source>
+        <translation>Verbrannter Anteil und Signifikanz jeder Rangfolge bei jedem Budget</translation>
+    </message>
+    <message>
+        <source>Cells burnt in every run, from which each p-value can be found again</source>
+        <translation>Verbrannte Zellen in jedem Lauf, aus denen sich jeder p-Wert wiederfinden lässt</translation>
+    </message>
+    <message>
+        <source>Curves of the burnt share</source>
+        <translation>Kurven des verbrannten Anteils</translation>
+    </message>
+    <message>
+        <source>Curves of the burnt share, to scale</source>
+        <translation>Kurven des verbrannten Anteils, skalierbar</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare rankings: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
+        <translation>Vergleicht Rangfolgen: erwartete Brandfläche, verlorener Wert, schlimmste Feuer und gerettete Hektar je geschnittenem Hektar, mit Intervallen.</translation>
+    </message>
+    <message>
+        <source>The fires are fresh: no plan was designed with them, and all burn in the same ones.</source>
+        <translation>Die Feuer sind frisch: kein Plan wurde mit ihnen entworfen, und alle brennen in denselben.</translation>
+    </message>
+    <message>
+        <source>Shares to cut, separated by commas.</source>
+        <translation>Zu schneidende Anteile, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>Shares that breaks let through, separated by commas</source>
+        <translation>Anteile, die Schneisen durchlassen, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>Shares of its spread probability that a treated cell keeps, separated by commas; 0 is perfect.</source>
+        <translation>Anteile seiner Ausbreitungswahrscheinlichkeit, die eine behandelte Zelle behält, durch Kommas getrennt; 0 ist vollkommen.</translation>
+    </message>
+    <message>
+        <source>The comparison on one page; opens in any browser</source>
+        <translation>Der Vergleich auf einer Seite; öffnet sich in jedem Browser</translation>
+    </message>
+    <message>
+        <source>Every ranking at every budget and leak, with intervals</source>
+        <translation>Jede Rangfolge bei jedem Budget und jeder Durchlässigkeit, mit Intervallen</translation>
+    </message>
+    <message>
+        <source>Curves of the rankings</source>
+        <translation>Kurven der Rangfolgen</translation>
+    </message>
+    <message>
+        <source>Curves of the rankings, to scale</source>
+        <translation>Kurven der Rangfolgen, skalierbar</translation>
+    </message>
+    <message>
+        <source>Validate against a scar</source>
+        <translation>An einer Brandfläche prüfen</translation>
+    </message>
+    <message>
+        <source>Hold a simulated fire against the area that burnt, beside fires that know nothing.</source>
+        <translation>Hält ein simuliertes Feuer gegen die verbrannte Fläche, neben Feuern, die nichts wissen.</translation>
+    </message>
+    <message>
+        <source>Sorensen's index, IoU, the IoU of the growth alone, size, Brier score and reliability are told for the simulated fire and for the null models: no growth, equal distance in fuel, an ellipse in the wind.</source>
+        <translation>Sørensen-Index, IoU, IoU des Zuwachses allein, Größe, Brier-Wert und Verlässlichkeit werden für das simulierte Feuer und für die Nullmodelle angegeben: kein Zuwachs, gleicher Abstand im Brennstoff, eine Ellipse im Wind.</translation>
+    </message>
+    <message>
+        <source>Observed hectares</source>
+        <translation>Beobachtete Hektar</translation>
+    </message>
+    <message>
+        <source>Simulated hectares</source>
+        <translation>Simulierte Hektar</translation>
+    </message>
+    <message>
+        <source>Area that burnt</source>
+        <translation>Verbrannte Fläche</translation>
+    </message>
+    <message>
+        <source>Perimeter of the fire as polygons, or a raster above 0 where it burnt.</source>
+        <translation>Umriss des Feuers als Polygone, oder ein Raster über 0, wo es brannte.</translation>
+    </message>
+    <message>
+        <source>Where the fire was first seen</source>
+        <translation>Wo das Feuer zuerst gesehen wurde</translation>
+    </message>
+    <message>
+        <source>Where the fire was first seen: points, or polygons that burnt already (any vector file), or a raster.</source>
+        <translation>Wo das Feuer zuerst gesehen wurde: Punkte, oder Polygone, die schon brannten (jede Vektordatei), oder ein Raster.</translation>
+    </message>
+    <message>
+        <source>How long the fire spread, e.g. 3h; lognormal:3h,0.5 (median, sigma) where that is not known well.</source>
+        <translation>Wie lange sich das Feuer ausbreitete, z. B. 3h; lognormal:3h,0.5 (Median, Sigma), wo das nicht gut bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Number of simulated fires.</source>
+        <translation>Anzahl der simulierten Feuer.</translation>
+    </message>
+    <message>
+        <source>Scores of the simulated fire and of the null models</source>
+        <translation>Werte des simulierten Feuers und der Nullmodelle</translation>
+    </message>
+    <message>
+        <source>How often cells burnt, by the probability forecast</source>
+        <translation>Wie oft Zellen brannten, nach der vorhergesagten Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>Share of the simulated fires in which each cell burns</source>
+        <translation>Anteil der simulierten Feuer, in denen jede Zelle brennt</translation>
+    </message>
+    <message>
+        <source>Picture of the simulated fire over the scar, with the reliability</source>
+        <translation>Bild des simulierten Feuers über der Brandfläche, mit der Verlässlichkeit</translation>
+    </message>
+    <message>
+        <source>Calibrate on observed fires</source>
+        <translation>An beobachteten Feuern kalibrieren</translation>
+    </message>
+    <message>
+        <source>Fit the rate of spread, durations and spread probability to the fires of a region.</source>
+        <translation>Passt Ausbreitungsgeschwindigkeit, Dauern und Ausbreitungswahrscheinlichkeit an die Feuer einer Region an.</translation>
+    </message>
+    <message>
+        <source>The fires are polygons or a table with their sizes and perhaps their days; the weather tells the winds in which they burn. More numbers than the fires can tell are refused.</source>
+        <translation>Die Feuer sind Polygone oder eine Tabelle mit ihren Größen und, wenn bekannt, ihren Tagen; das Wetter nennt die Winde, in denen sie brennen. Mehr Zahlen, als die Feuer hergeben, werden zurückgewiesen.</translation>
+    </message>
+    <message>
+        <source>Fires</source>
+        <translation>Feuer</translation>
+    </message>
+    <message>
+        <source>Numbers fitted</source>
+        <translation>Angepasste Zahlen</translation>
+    </message>
+    <message>
+        <source>Observed fires with sizes and days</source>
+        <translation>Beobachtete Feuer mit Größen und Tagen</translation>
+    </message>
+    <message>
+        <source>Polygons or a table (CSV) of the fires of a region, with their sizes in hectares and perhaps their days.</source>
+        <translation>Polygone oder eine Tabelle (CSV) der Feuer einer Region, mit ihren Größen in Hektar und, wenn bekannt, ihren Tagen.</translation>
+    </message>
+    <message>
+        <source>What to fit: rate, duration, p0</source>
+        <translation>Was anzupassen ist: rate, duration, p0</translation>
+    </message>
+    <message>
+        <source>What to fit: rate, duration and p0, separated by commas [default: rate and duration; of fewer than three scars the rate alone].</source>
+        <translation>Was anzupassen ist: rate, duration und p0, durch Kommas getrennt [sonst rate und duration; bei weniger als drei Brandflächen rate allein].</translation>
+    </message>
+    <message>
+        <source>Smallest fire that counts [hectares]</source>
+        <translation>Kleinstes Feuer, das zählt [Hektar]</translation>
+    </message>
+    <message>
+        <source>Fires of fewer hectares do not count: small ones are often not mapped.</source>
+        <translation>Feuer mit weniger Hektar zählen nicht: kleine sind oft nicht kartiert.</translation>
+    </message>
+    <message>
+        <source>How likely a fire starts in each cell, relative to the others [default: everywhere alike].</source>
+        <translation>Wie wahrscheinlich ein Feuer in jeder Zelle entsteht, im Verhältnis zu den anderen [sonst überall gleich].</translation>
+    </message>
+    <message>
+        <source>Column with the size in hectares</source>
+        <translation>Spalte mit der Größe in Hektar</translation>
+    </message>
+    <message>
+        <source>Column of "Observed fires with sizes and days" with the size in hectares [default: found by name].</source>
+        <translation>Spalte von "Beobachtete Feuer mit Größen und Tagen" mit der Größe in Hektar [sonst am Namen erkannt].</translation>
+    </message>
+    <message>
+        <source>Column with the first day</source>
+        <translation>Spalte mit dem ersten Tag</translation>
+    </message>
+    <message>
+        <source>Column of "Observed fires with sizes and days" with the first day [default: found by name].</source>
+        <translation>Spalte von "Beobachtete Feuer mit Größen und Tagen" mit dem ersten Tag [sonst am Namen erkannt].</translation>
+    </message>
+    <message>
+        <source>Column with the last day</source>
+        <translation>Spalte mit dem letzten Tag</translation>
+    </message>
+    <message>
+        <source>Column of "Observed fires with sizes and days" with the last day [default: found by name].</source>
+        <translation>Spalte von "Beobachtete Feuer mit Größen und Tagen" mit dem letzten Tag [sonst am Namen erkannt].</translation>
+    </message>
+    <message>
+        <source>Time of spread on each day of a fire [hours]</source>
+        <translation>Ausbreitungszeit an jedem Tag eines Feuers [Stunden]</translation>
+    </message>
+    <message>
+        <source>Hours for which a fire spreads on each of its days; an assumption that tells rates and durations apart.</source>
+        <translation>Stunden, die sich ein Feuer an jedem seiner Tage ausbreitet; eine Annahme, die Geschwindigkeiten und Dauern trennt.</translation>
+    </message>
+    <message>
+        <source>Longest simulated fire, such as 200h</source>
+        <translation>Längstes simuliertes Feuer, z. B. 200h</translation>
+    </message>
+    <message>
+        <source>No fire spreads longer [default: as many whole days as the longest observed fire, or 200h].</source>
+        <translation>Kein Feuer breitet sich länger aus [sonst so viele ganze Tage wie das längste beobachtete Feuer, oder 200h].</translation>
+    </message>
+    <message>
+        <source>Parameter of the spread model that stays as it is, e.g. moisture=0.06; several are separated by ;.</source>
+        <translation>Parameter des Ausbreitungsmodells, der bleibt, wie er ist, z. B. moisture=0.06; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>Calibration, which other forms take</source>
+        <translation>Kalibrierung, die andere Formulare nehmen</translation>
+    </message>
+    <message>
+        <source>What is told of each fire</source>
+        <translation>Was über jedes Feuer gesagt wird</translation>
+    </message>
+    <message>
+        <source>Report of a run</source>
+        <translation>Bericht eines Laufs</translation>
+    </message>
+    <message>
+        <source>Show a plan or a comparison on one page: map, segments, curve, assumptions, files.</source>
+        <translation>Zeigt einen Plan oder Vergleich auf einer Seite: Karte, Teilstücke, Kurve, Annahmen, Dateien.</translation>
+    </message>
+    <message>
+        <source>Choose the folder into which all files of the run were written. The page opens in any browser without a network. Its links lead to files beside the page, so write it into that folder.</source>
+        <translation>Wählen Sie den Ordner, in den alle Dateien des Laufs geschrieben wurden. Die Seite öffnet sich in jedem Browser ohne Netzwerk. Ihre Verweise führen zu Dateien neben der Seite; schreiben Sie sie also in diesen Ordner.</translation>
+    </message>
+    <message>
+        <source>Folder of the run</source>
+        <translation>Ordner des Laufs</translation>
+    </message>
+    <message>
+        <source>Into which a plan or a comparison was written with all its files.</source>
+        <translation>In den ein Plan oder Vergleich mit allen seinen Dateien geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>The run on one page</source>
+        <translation>Der Lauf auf einer Seite</translation>
+    </message>
+    <message>
+        <source>{} was not made: there is nothing to put in it.</source>
+        <translation>{} wurde nicht gemacht: es gibt nichts, was hineinkäme.</translation>
+    </message>
+    <message>
+        <source>Stopped; no output was written.</source>
+        <translation>Angehalten; keine Ausgabe wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Report: {} (open it from the Results Viewer)</source>
+        <translation>Bericht: {} (aus der Ergebnisanzeige zu öffnen)</translation>
+    </message>
+    <message>
+        <source>[not chosen]</source>
+        <translation>[nicht gewählt]</translation>
+    </message>
+    <message>
+        <source>{} holds {}; only a GeoPackage can hold {} as well.</source>
+        <translation>{} enthält {}; nur ein GeoPackage kann auch {} enthalten.</translation>
+    </message>
+    <message>
+        <source>The layer {} cannot be read as cells of a raster.</source>
+        <translation>Der Layer {} lässt sich nicht als Zellen eines Rasters lesen.</translation>
+    </message>
+    <message>
+        <source>An extent needs the CRS of the grid; choose it beside the extent (CRS).</source>
+        <translation>Eine Ausdehnung braucht das KBS des Gitters; wählen Sie es neben der Ausdehnung (KBS).</translation>
+    </message>
+    <message>
+        <source>Making the engine of Firebreak</source>
+        <translation>Die Rechenumgebung von Firebreak wird gemacht</translation>
+    </message>
+    <message>
+        <source>firebreak_gis {} is ready.</source>
+        <translation>firebreak_gis {} ist bereit.</translation>
+    </message>
+    <message>
+        <source>firebreak_gis {} answers: {} ({})</source>
+        <translation>firebreak_gis {} antwortet: {} ({})</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Rechenumgebung</translation>
+    </message>
+    <message>
+        <source>Python with firebreak_gis, or the firebreak program</source>
+        <translation>Python mit firebreak_gis, oder das Programm firebreak</translation>
+    </message>
+    <message>
+        <source>empty: found by itself</source>
+        <translation>leer: wird von selbst gefunden</translation>
+    </message>
+    <message>
+        <source>Python or program</source>
+        <translation>Python oder Programm</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Make an engine</source>
+        <translation>Eine Rechenumgebung machen</translation>
+    </message>
+    <message>
+        <source>Makes a Python environment in your QGIS profile, about 900 MB, and installs firebreak_gis into it: from the package index (through the proxy of QGIS), or from the path of a clone or a wheel. The Python of QGIS is left alone, and an engine made before stays until the new one answers. Nothing is installed until you press the button.</source>
+        <translation>Macht eine Python-Umgebung in Ihrem QGIS-Profil, etwa 900 MB, und installiert firebreak_gis darin: aus dem Paketverzeichnis (über den Proxy von QGIS), oder vom Pfad eines Klons oder Wheels. Das Python von QGIS bleibt unberührt, und eine früher gemachte Umgebung bleibt, bis die neue antwortet. Nichts wird installiert, bevor Sie den Knopf drücken.</translation>
+    </message>
+    <message>
+        <source>empty: the newest of 3.11 to 3.13 found</source>
+        <translation>leer: das neueste gefundene von 3.11 bis 3.13</translation>
+    </message>
+    <message>
+        <source>Python to make it from</source>
+        <translation>Python, aus dem sie gemacht wird</translation>
+    </message>
+    <message>
+        <source>A name in the index, or the path of a clone or a wheel.</source>
+        <translation>Ein Name im Paketverzeichnis, oder der Pfad eines Klons oder Wheels.</translation>
+    </message>
+    <message>
+        <source>Package</source>
+        <translation>Paket</translation>
+    </message>
+    <message>
+        <source>Make engine</source>
+        <translation>Rechenumgebung machen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Firebreak settings…</source>
+        <translation>Einstellungen von Firebreak…</translation>
+    </message>
+    <message>
+        <source>Firebreak</source>
+        <translation>Firebreak</translation>
+    </message>
+    <message>
+        <source>Firebreak (plan forest fire breaks)</source>
+        <translation>Firebreak (Brandschneisen im Wald planen)</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Methoden</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ausgaben</translation>
+    </message>
+</context>
+</TS>

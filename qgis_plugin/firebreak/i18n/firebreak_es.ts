@@ -1,0 +1,1563 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+<context>
+    <name>Firebreak</name>
+    <message>
+        <source>1 Prepare</source>
+        <translation>1 Preparar</translation>
+    </message>
+    <message>
+        <source>2 Rank and cut</source>
+        <translation>2 Ordenar y cortar</translation>
+    </message>
+    <message>
+        <source>3 Burn</source>
+        <translation>3 Quemar</translation>
+    </message>
+    <message>
+        <source>4 Judge</source>
+        <translation>4 Valorar</translation>
+    </message>
+    <message>
+        <source>Align landscape</source>
+        <translation>Alinear el paisaje</translation>
+    </message>
+    <message>
+        <source>Lay elevation, vegetation and density on one square grid in metres, the codes turned into classes of fuel.</source>
+        <translation>Lleva elevación, vegetación y densidad a una cuadrícula común en metros, con los códigos traducidos a clases de combustible.</translation>
+    </message>
+    <message>
+        <source>The layers may have any CRS, extent and cell size; they are laid on one square grid in metres. The density may be a raster, one word for all fuel (how closed it is), or left out if the legend gives it. A FlamMap landscape (.lcp) as elevation holds all layers.</source>
+        <translation>Las capas pueden tener cualquier SRC, extensión y tamaño de celda; se llevan a una cuadrícula en metros. La densidad puede ser un ráster, una palabra para todo el combustible (lo cerrado que es), o faltar si la leyenda la da. Un paisaje de FlamMap (.lcp) como elevación contiene todas las capas.</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Elevación</translation>
+    </message>
+    <message>
+        <source>Elevation in metres, in any CRS and cell size; or a landscape file (.lcp), which holds all layers.</source>
+        <translation>Elevación en metros, en cualquier SRC y tamaño de celda; o un archivo de paisaje (.lcp), que contiene todas las capas.</translation>
+    </message>
+    <message>
+        <source>Vegetation</source>
+        <translation>Vegetación</translation>
+    </message>
+    <message>
+        <source>Codes of the vegetation, explained by the legend.</source>
+        <translation>Códigos de la vegetación, que explica la leyenda.</translation>
+    </message>
+    <message>
+        <source>Vegetation density</source>
+        <translation>Densidad de la vegetación</translation>
+    </message>
+    <message>
+        <source>Codes of the density of the vegetation; without it the densities come from the legend.</source>
+        <translation>Códigos de la densidad de la vegetación; sin ellos las densidades vienen de la leyenda.</translation>
+    </message>
+    <message>
+        <source>Legend of the vegetation codes</source>
+        <translation>Leyenda de los códigos de vegetación</translation>
+    </message>
+    <message>
+        <source>What the vegetation codes mean: a built-in legend, or a CSV file of your own.</source>
+        <translation>Qué significan los códigos de vegetación: una leyenda incluida, o un archivo CSV propio.</translation>
+    </message>
+    <message>
+        <source>Fuel models of Anderson 1982</source>
+        <translation>Modelos de combustible de Anderson 1982</translation>
+    </message>
+    <message>
+        <source>Canopy cover in percent as density: below 40 sparse, below 70 normal, else dense</source>
+        <translation>Cobertura de copas en porcentaje como densidad: menos de 40 rala, menos de 70 normal, si no densa</translation>
+    </message>
+    <message>
+        <source>CORINE Land Cover, level 3, three-digit codes</source>
+        <translation>CORINE Land Cover, nivel 3, códigos de tres cifras</translation>
+    </message>
+    <message>
+        <source>CORINE Land Cover as the raster of the European Environment Agency holds it: grid codes 1 to 44 in the order of level 3</source>
+        <translation>CORINE Land Cover como ráster de la Agencia Europea de Medio Ambiente: códigos 1 a 44 en el orden del nivel 3</translation>
+    </message>
+    <message>
+        <source>Vegetation densities of Russo, Russo, Siettos 2016</source>
+        <translation>Densidades de vegetación de Russo, Russo, Siettos 2016</translation>
+    </message>
+    <message>
+        <source>Fuel map of Europe in 12 classes, as the PROPAGATOR fire model uses it</source>
+        <translation>Mapa de combustibles de Europa en 12 clases, como lo usa el modelo de fuego PROPAGATOR</translation>
+    </message>
+    <message>
+        <source>Fuel types of the Canadian Forest Fire Behavior Prediction System</source>
+        <translation>Tipos de combustible del Canadian Forest Fire Behavior Prediction System</translation>
+    </message>
+    <message>
+        <source>Fuel models of Portugal</source>
+        <translation>Modelos de combustible de Portugal</translation>
+    </message>
+    <message>
+        <source>Fuel models of the Chilean Kitral system, codes as in Cell2Fire</source>
+        <translation>Modelos de combustible del sistema chileno Kitral, códigos como en Cell2Fire</translation>
+    </message>
+    <message>
+        <source>Vegetation types of Russo, Russo, Siettos 2016</source>
+        <translation>Tipos de vegetación de Russo, Russo, Siettos 2016</translation>
+    </message>
+    <message>
+        <source>Vegetation of the PROPAGATOR fire model in 7 classes</source>
+        <translation>Vegetación del modelo de fuego PROPAGATOR en 7 clases</translation>
+    </message>
+    <message>
+        <source>Fire behaviour fuel models of Scott and Burgan 2005</source>
+        <translation>Modelos de combustible de Scott y Burgan 2005</translation>
+    </message>
+    <message>
+        <source>Tree cover density in percent</source>
+        <translation>Densidad de cobertura arbórea en porcentaje</translation>
+    </message>
+    <message>
+        <source>ESA WorldCover 10 m, codes of releases 2020 v100 and 2021 v200</source>
+        <translation>ESA WorldCover 10 m, códigos de las versiones 2020 v100 y 2021 v200</translation>
+    </message>
+    <message>
+        <source>as one class for all fuel</source>
+        <translation>como una sola clase para todo el combustible</translation>
+    </message>
+    <message>
+        <source>Sparse everywhere</source>
+        <translation>Rala en todas partes</translation>
+    </message>
+    <message>
+        <source>Normal everywhere</source>
+        <translation>Normal en todas partes</translation>
+    </message>
+    <message>
+        <source>Dense everywhere</source>
+        <translation>Densa en todas partes</translation>
+    </message>
+    <message>
+        <source>As closed as the fuel around each cell is</source>
+        <translation>Tan cerrada como el combustible en torno a cada celda</translation>
+    </message>
+    <message>
+        <source>as a CSV file</source>
+        <translation>como archivo CSV</translation>
+    </message>
+    <message>
+        <source>Creation options, such as COMPRESS=ZSTD</source>
+        <translation>Opciones de creación, p. ej. COMPRESS=ZSTD</translation>
+    </message>
+    <message>
+        <source>Creation option of GDAL's COG driver, e.g. COMPRESS=ZSTD.</source>
+        <translation>Opción de creación del controlador COG de GDAL, p. ej. COMPRESS=ZSTD.</translation>
+    </message>
+    <message>
+        <source>Legend of the density codes</source>
+        <translation>Leyenda de los códigos de densidad</translation>
+    </message>
+    <message>
+        <source>What the density codes mean: a built-in legend, or a CSV file of your own.</source>
+        <translation>Qué significan los códigos de densidad: una leyenda incluida, o un archivo CSV propio.</translation>
+    </message>
+    <message>
+        <source>CRS of the grid</source>
+        <translation>SRC de la cuadrícula</translation>
+    </message>
+    <message>
+        <source>CRS of the grid, projected in metres [default: the "Elevation"'s if it is in metres, else the UTM zone].</source>
+        <translation>SRC de la cuadrícula, proyectado en metros [si no, el de "Elevación" si está en metros, o la zona UTM].</translation>
+    </message>
+    <message>
+        <source>Cell size [m]</source>
+        <translation>Tamaño de celda [m]</translation>
+    </message>
+    <message>
+        <source>Cell size [default: the "Elevation"'s].</source>
+        <translation>Tamaño de celda [si no, el de "Elevación"].</translation>
+    </message>
+    <message>
+        <source>Extent (needs the CRS of the grid)</source>
+        <translation>Extensión (necesita el SRC de la cuadrícula)</translation>
+    </message>
+    <message>
+        <source>Extent in the CRS of the grid [default: what all layers cover].</source>
+        <translation>Extensión en el SRC de la cuadrícula [si no, lo que cubren todas las capas].</translation>
+    </message>
+    <message>
+        <source>Take the grid of this raster</source>
+        <translation>Tomar la cuadrícula de este ráster</translation>
+    </message>
+    <message>
+        <source>Take the grid of this raster.</source>
+        <translation>Toma la cuadrícula de este ráster.</translation>
+    </message>
+    <message>
+        <source>True CRS of the layers, such as dem=EPSG:32635</source>
+        <translation>SRC verdadero de las capas, p. ej. dem=EPSG:32635</translation>
+    </message>
+    <message>
+        <source>The true CRS of dem, vegetation or density, or of all, where a file tells none or a wrong one.</source>
+        <translation>El SRC verdadero de dem, vegetation o density, o de todos, donde un archivo no dice ninguno o uno falso.</translation>
+    </message>
+    <message>
+        <source>No-data values, such as dem=-9999; vegetation=255</source>
+        <translation>Valores sin datos, p. ej. dem=-9999; vegetation=255</translation>
+    </message>
+    <message>
+        <source>Values that mean no data in dem, vegetation or density, e.g. dem=-9999,32767; dem=none says that all are data; several are separated by ;.</source>
+        <translation>Valores que significan sin datos en dem, vegetation o density, p. ej. dem=-9999,32767; dem=none dice que todos son datos; varios se separan con ;.</translation>
+    </message>
+    <message>
+        <source>Bands, such as dem=1; vegetation=2</source>
+        <translation>Bandas, p. ej. dem=1; vegetation=2</translation>
+    </message>
+    <message>
+        <source>Band to read of dem, vegetation or density.</source>
+        <translation>Banda que se lee de dem, vegetation o density.</translation>
+    </message>
+    <message>
+        <source>Codes that the legend does not list</source>
+        <translation>Códigos que la leyenda no recoge</translation>
+    </message>
+    <message>
+        <source>What to do with codes that the legend does not list.</source>
+        <translation>Qué hacer con los códigos que la leyenda no recoge.</translation>
+    </message>
+    <message>
+        <source>Refuse them</source>
+        <translation>Rechazarlos</translation>
+    </message>
+    <message>
+        <source>Take them as land without fuel</source>
+        <translation>Tomarlos como suelo sin combustible</translation>
+    </message>
+    <message>
+        <source>Refuse what would only be warned of</source>
+        <translation>Rechazar aquello de lo que solo se avisaría</translation>
+    </message>
+    <message>
+        <source>Refuse what would only be warned of.</source>
+        <translation>Rechaza aquello de lo que solo se avisaría.</translation>
+    </message>
+    <message>
+        <source>Allow network addresses and archives</source>
+        <translation>Permitir direcciones de red y archivos comprimidos</translation>
+    </message>
+    <message>
+        <source>Allow "Elevation", "Vegetation" and "Vegetation density" to be network addresses or in archives.</source>
+        <translation>Permite que "Elevación", "Vegetación" y "Densidad de la vegetación" sean direcciones de red o estén en archivos comprimidos.</translation>
+    </message>
+    <message>
+        <source>Most memory to use, such as 4GB</source>
+        <translation>Memoria máxima, p. ej. 4GB</translation>
+    </message>
+    <message>
+        <source>Refuse work that needs more, e.g. 4GB [default: most of what there is].</source>
+        <translation>Rechaza el trabajo que necesita más, p. ej. 4GB [si no, la mayor parte de la que hay].</translation>
+    </message>
+    <message>
+        <source>Calibration, or the account (run.json) of an earlier run</source>
+        <translation>Calibración, o registro (run.json) de una ejecución anterior</translation>
+    </message>
+    <message>
+        <source>Take parameters from a TOML file, or from the run.json of an earlier run; options given here win.</source>
+        <translation>Toma parámetros de un archivo TOML, o del run.json de una ejecución anterior; lo que se da aquí prevalece.</translation>
+    </message>
+    <message>
+        <source>Elevation on the common grid</source>
+        <translation>Elevación en la cuadrícula común</translation>
+    </message>
+    <message>
+        <source>Vegetation classes on the common grid</source>
+        <translation>Clases de vegetación en la cuadrícula común</translation>
+    </message>
+    <message>
+        <source>Density classes on the common grid</source>
+        <translation>Clases de densidad en la cuadrícula común</translation>
+    </message>
+    <message>
+        <source>Effect of the vegetation, where the legend gives numbers in place of classes</source>
+        <translation>Efecto de la vegetación, donde la leyenda da números en lugar de clases</translation>
+    </message>
+    <message>
+        <source>Effect of the density, where the legend gives numbers in place of classes</source>
+        <translation>Efecto de la densidad, donde la leyenda da números en lugar de clases</translation>
+    </message>
+    <message>
+        <source>Rate of spread on flat calm dry ground, where the legend gives it</source>
+        <translation>Velocidad de propagación en terreno llano y seco sin viento, donde la leyenda la da</translation>
+    </message>
+    <message>
+        <source>Load of dead fuel, where the legend gives it</source>
+        <translation>Carga de combustible muerto, donde la leyenda la da</translation>
+    </message>
+    <message>
+        <source>Load of live fuel, where the legend gives it</source>
+        <translation>Carga de combustible vivo, donde la leyenda la da</translation>
+    </message>
+    <message>
+        <source>Heat content of the fuel, where the legend gives it</source>
+        <translation>Poder calorífico del combustible, donde la leyenda lo da</translation>
+    </message>
+    <message>
+        <source>Moisture of the live fuel, where the legend gives it</source>
+        <translation>Humedad del combustible vivo, donde la leyenda la da</translation>
+    </message>
+    <message>
+        <source>Account of the run</source>
+        <translation>Registro de la ejecución</translation>
+    </message>
+    <message>
+        <source>Folder for all files</source>
+        <translation>Carpeta para todos los archivos</translation>
+    </message>
+    <message>
+        <source>Spread network</source>
+        <translation>Red de propagación</translation>
+    </message>
+    <message>
+        <source>Find how likely fire spreads from each cell to its neighbours.</source>
+        <translation>Halla con qué probabilidad pasa el fuego de cada celda a sus vecinas.</translation>
+    </message>
+    <message>
+        <source>Bands 1 to 8 hold the probability that fire spreads to the N, NE, E, SE, S, SW, W and NW. If times are told too, bands 9 to 16 hold the seconds that this takes, and band 17 the heat that the cell releases (kJ/m2). Wind and slope then act on the times; so make a network without times for fires without a duration.</source>
+        <translation>Las bandas 1 a 8 contienen la probabilidad de que el fuego pase al N, NE, E, SE, S, SO, O y NO. Si se dan también los tiempos, las bandas 9 a 16 contienen los segundos que tarda, y la banda 17 el calor que libera la celda (kJ/m2). El viento y la pendiente actúan entonces sobre los tiempos; para incendios sin duración haga, pues, una red sin tiempos.</translation>
+    </message>
+    <message>
+        <source>Cells with fuel</source>
+        <translation>Celdas con combustible</translation>
+    </message>
+    <message>
+        <source>Spread model</source>
+        <translation>Modelo de propagación</translation>
+    </message>
+    <message>
+        <source>How fire gets from a cell to its neighbours; all are described below.</source>
+        <translation>Cómo llega el fuego de una celda a sus vecinas; todos se describen abajo.</translation>
+    </message>
+    <message>
+        <source>Alexandridis: cellular automaton of vegetation type, density, slope and wind</source>
+        <translation>Alexandridis: autómata celular de tipo de vegetación, densidad, pendiente y viento</translation>
+    </message>
+    <message>
+        <source>Artificial forest: the probability of catching fire is the fuel of the target cell</source>
+        <translation>Bosque artificial: la probabilidad de prender es el combustible de la celda de destino</translation>
+    </message>
+    <message>
+        <source>Raster: your own probabilities, and perhaps travel times, from another fire model</source>
+        <translation>Ráster: probabilidades propias, y si las hay tiempos, de otro modelo de fuego</translation>
+    </message>
+    <message>
+        <source>Wind speed [m/s]</source>
+        <translation>Velocidad del viento [m/s]</translation>
+    </message>
+    <message>
+        <source>Wind speed at mid-flame height in m/s, or a raster of it on any grid.</source>
+        <translation>Velocidad del viento a media altura de llama en m/s, o un ráster de ella en cualquier cuadrícula.</translation>
+    </message>
+    <message>
+        <source>Wind from [degrees clockwise from north]</source>
+        <translation>Viento desde [grados en sentido horario desde el norte]</translation>
+    </message>
+    <message>
+        <source>Direction the wind comes from, clockwise from north: 270 is a west wind; a number or a raster.</source>
+        <translation>Dirección de la que viene el viento, en sentido horario desde el norte: 270 es viento del oeste; un número o un ráster.</translation>
+    </message>
+    <message>
+        <source>Tell times too (for fires with a duration)</source>
+        <translation>Dar también los tiempos (para incendios con duración)</translation>
+    </message>
+    <message>
+        <source>Also tell how long fire takes from cell to cell (bands 9 to 16, seconds) and the heat of each cell.</source>
+        <translation>Da también cuánto tarda el fuego de celda a celda (bandas 9 a 16, segundos) y el calor de cada celda.</translation>
+    </message>
+    <message>
+        <source>as a raster</source>
+        <translation>como ráster</translation>
+    </message>
+    <message>
+        <source>Wind towards east and north, in place of speed and direction [m/s]</source>
+        <translation>Viento hacia el este y el norte, en lugar de velocidad y dirección [m/s]</translation>
+    </message>
+    <message>
+        <source>Components of the wind towards east and north, in place of the two above: rasters on any grid.</source>
+        <translation>Componentes del viento hacia el este y el norte, en lugar de los dos de arriba: rásteres en cualquier cuadrícula.</translation>
+    </message>
+    <message>
+        <source>Moisture of the fine dead fuel (8 % is 0.08)</source>
+        <translation>Humedad del combustible muerto fino (8 % es 0.08)</translation>
+    </message>
+    <message>
+        <source>Moisture of the fine dead fuel as a share of its dry weight (8 % is 0.08 or 8%), or a raster of it.</source>
+        <translation>Humedad del combustible muerto fino como proporción de su peso seco (8 % es 0.08 u 8%), o un ráster de ella.</translation>
+    </message>
+    <message>
+        <source>Neighbours that a cell can light</source>
+        <translation>Vecinas que una celda puede encender</translation>
+    </message>
+    <message>
+        <source>Cells to which fire can spread from a cell.</source>
+        <translation>Celdas a las que puede pasar el fuego desde una celda.</translation>
+    </message>
+    <message>
+        <source>All eight</source>
+        <translation>Las ocho</translation>
+    </message>
+    <message>
+        <source>The four that share a side</source>
+        <translation>Las cuatro que comparten un lado</translation>
+    </message>
+    <message>
+        <source>Parameters of the spread model, such as p0=0.5</source>
+        <translation>Parámetros del modelo de propagación, p. ej. p0=0.5</translation>
+    </message>
+    <message>
+        <source>Parameter of the spread model, e.g. p0=0.5; several are separated by ;.</source>
+        <translation>Parámetro del modelo de propagación, p. ej. p0=0.5; varios se separan con ;.</translation>
+    </message>
+    <message>
+        <source>File with the probabilities for other tools (.mtx, .npz)</source>
+        <translation>Archivo con las probabilidades para otros programas (.mtx, .npz)</translation>
+    </message>
+    <message>
+        <source>Also write the probabilities for other tools: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) or .graphml (up to 20,000 cells with fuel). Cells are numbered row by row from the upper left.</source>
+        <translation>Escribe además las probabilidades para otros programas: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) o .graphml (hasta 20,000 celdas con combustible). Las celdas se numeran fila a fila desde arriba a la izquierda.</translation>
+    </message>
+    <message>
+        <source>Where a line can be held</source>
+        <translation>Dónde se puede defender una línea</translation>
+    </message>
+    <message>
+        <source>Rate from 0 to 1 how well a line can be held in each cell: the weighted mean of landform (ridges and valley bottoms), slope for machines, roads, rivers, edges of the fuel, and access.</source>
+        <translation>Valora de 0 a 1 lo bien que se puede defender una línea en cada celda: media ponderada de la forma del terreno (crestas y fondos de valle), pendiente para máquinas, caminos, ríos, bordes del combustible y acceso.</translation>
+    </message>
+    <message>
+        <source>The weights have no source for your region: they are yours to set.</source>
+        <translation>Los pesos no tienen fuente para su región: los fija usted.</translation>
+    </message>
+    <message>
+        <source>Mean suitability where there is fuel</source>
+        <translation>Aptitud media donde hay combustible</translation>
+    </message>
+    <message>
+        <source>Roads and tracks</source>
+        <translation>Carreteras y pistas</translation>
+    </message>
+    <message>
+        <source>Roads and tracks (lines or a raster).</source>
+        <translation>Carreteras y pistas (líneas o un ráster).</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes</source>
+        <translation>Ríos y lagos</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes (lines, areas, a raster).</source>
+        <translation>Ríos y lagos (líneas, áreas, un ráster).</translation>
+    </message>
+    <message>
+        <source>Weights and reaches, such as ridge=2; road_reach=60</source>
+        <translation>Pesos y alcances, p. ej. ridge=2; road_reach=60</translation>
+    </message>
+    <message>
+        <source>Weight or reach of a factor, such as ridge=2 or road_reach=60; several are separated by ;.</source>
+        <translation>Peso o alcance de un factor, p. ej. ridge=2 o road_reach=60; varios se separan con ;.</translation>
+    </message>
+    <message>
+        <source>Plan fire breaks</source>
+        <translation>Planificar cortafuegos</translation>
+    </message>
+    <message>
+        <source>Plan fire breaks from layers: where to cut, what to build first, and how often each cell burns without and with the breaks.</source>
+        <translation>Planifica cortafuegos a partir de capas: dónde cortar, qué construir primero y con qué frecuencia arde cada celda sin y con los cortafuegos.</translation>
+    </message>
+    <message>
+        <source>Cells cut</source>
+        <translation>Celdas cortadas</translation>
+    </message>
+    <message>
+        <source>Area cut in hectares</source>
+        <translation>Superficie cortada en hectáreas</translation>
+    </message>
+    <message>
+        <source>Mean burnt share without breaks</source>
+        <translation>Proporción quemada media sin cortafuegos</translation>
+    </message>
+    <message>
+        <source>Mean burnt share with the breaks</source>
+        <translation>Proporción quemada media con los cortafuegos</translation>
+    </message>
+    <message>
+        <source>Values at risk</source>
+        <translation>Valores en riesgo</translation>
+    </message>
+    <message>
+        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
+        <translation>Valores en riesgo: un ráster, o polígonos o puntos con "Campo con el valor" [si no, 1 sobre combustible].</translation>
+    </message>
+    <message>
+        <source>Area where nothing may be cut</source>
+        <translation>Zona donde no se puede cortar</translation>
+    </message>
+    <message>
+        <source>Area (raster or polygons, lines take the cells that they touch) where nothing may be cut.</source>
+        <translation>Zona (ráster o polígonos; las líneas toman las celdas que tocan) donde no se puede cortar.</translation>
+    </message>
+    <message>
+        <source>Existing barriers</source>
+        <translation>Barreras existentes</translation>
+    </message>
+    <message>
+        <source>Existing breaks, roads, rivers (raster, lines or polygons): all cells that they cut hold no fuel and cost nothing.</source>
+        <translation>Cortafuegos, carreteras y ríos existentes (ráster, líneas o polígonos): las celdas que atraviesan no tienen combustible y no cuestan nada.</translation>
+    </message>
+    <message>
+        <source>How long fires burn, such as 8h</source>
+        <translation>Cuánto duran los incendios, p. ej. 8h</translation>
+    </message>
+    <message>
+        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
+        <translation>Cuánto duran los incendios: 8h, una lista que las ejecuciones toman por turno (4h,8h), lognormal:8h,0.7 (mediana y sigma), uniform:2h,12h, o weather [si no, lognormal:8h,0.7, un supuesto].</translation>
+    </message>
+    <message>
+        <source>Budget (by default a share of the fuel)</source>
+        <translation>Presupuesto (si no se dice otra cosa, una proporción del combustible)</translation>
+    </message>
+    <message>
+        <source>How much to cut; by default a share of the cells that hold fuel, 0 to 1 (14 % is 0.14).</source>
+        <translation>Cuánto cortar; si no se dice otra cosa, una proporción de las celdas con combustible, de 0 a 1 (14 % es 0.14).</translation>
+    </message>
+    <message>
+        <source>Ranking</source>
+        <translation>Método de ordenación</translation>
+    </message>
+    <message>
+        <source>By which cells are ranked; higher is cut earlier. All are described below.</source>
+        <translation>Según qué se ordenan las celdas; más alto se corta antes. Todos se describen abajo.</translation>
+    </message>
+    <message>
+        <source>Betweenness centrality: cells that lie on many fastest routes of fire</source>
+        <translation>Centralidad de intermediación: celdas que están en muchas rutas más rápidas del fuego</translation>
+    </message>
+    <message>
+        <source>Bonacich power centrality: cells through which fire reaches cells that are easily reached themselves</source>
+        <translation>Centralidad de Bonacich: celdas por las que el fuego llega a celdas que a su vez se alcanzan fácilmente</translation>
+    </message>
+    <message>
+        <source>Closeness centrality: cells that fire reaches soon from anywhere, or from which it soon reaches anywhere</source>
+        <translation>Centralidad de cercanía: celdas a las que el fuego llega pronto desde cualquier lugar, o desde las que llega pronto a cualquiera</translation>
+    </message>
+    <message>
+        <source>Compartments: a square grid of bands that encloses equal ones</source>
+        <translation>Compartimentos: una malla cuadrada de fajas que encierra compartimentos iguales</translation>
+    </message>
+    <message>
+        <source>Current-flow betweenness: cells through which spread passes by any route, not by the fastest alone</source>
+        <translation>Intermediación por flujo de corriente: celdas por las que pasa la propagación por cualquier ruta, no solo por la más rápida</translation>
+    </message>
+    <message>
+        <source>Degree: cells that are lit by, or light, their neighbours most</source>
+        <translation>Grado: celdas que más encienden a sus vecinas o más son encendidas por ellas</translation>
+    </message>
+    <message>
+        <source>Defensible fuel profile zones (DFPZ): broad bands along roads and ridges</source>
+        <translation>Zonas de combustible defendibles (DFPZ): fajas anchas a lo largo de caminos y crestas</translation>
+    </message>
+    <message>
+        <source>Dissection: walls between compartments by nested minimum cuts, those that save most for their cost first</source>
+        <translation>Disección: muros entre compartimentos por cortes mínimos anidados, primero los que más ahorran por su coste</translation>
+    </message>
+    <message>
+        <source>Dominator: exact gain of cutting one cell, found anew after every few cuts</source>
+        <translation>Dominador: ganancia exacta de cortar una celda, hallada de nuevo cada pocos cortes</translation>
+    </message>
+    <message>
+        <source>DomiRank: cells that dominate their neighbourhood when neighbours compete</source>
+        <translation>DomiRank: celdas que dominan su entorno cuando las vecinas compiten</translation>
+    </message>
+    <message>
+        <source>Downstream protection value: cells from which most value was lit, found anew after every few cuts</source>
+        <translation>Valor de protección aguas abajo: celdas desde las que se encendió más valor, halladas de nuevo cada pocos cortes</translation>
+    </message>
+    <message>
+        <source>Eigenvector centrality: cells next to the cells that matter most, all in one place of the map</source>
+        <translation>Centralidad de vector propio: celdas junto a las celdas que más importan, todas en un mismo lugar del mapa</translation>
+    </message>
+    <message>
+        <source>Flammability: most flammable cells first, the conventional policy, which looks at each cell alone</source>
+        <translation>Inflamabilidad: primero las celdas más inflamables, la práctica habitual, que mira cada celda por separado</translation>
+    </message>
+    <message>
+        <source>Group betweenness: built cell by cell, each covers fastest routes that the group leaves open</source>
+        <translation>Intermediación de grupo: formado celda a celda, cada una cubre rutas más rápidas que el grupo deja abiertas</translation>
+    </message>
+    <message>
+        <source>Information centrality: cells that many parallel ways of spread join closely to all others</source>
+        <translation>Centralidad de información: celdas que muchas vías paralelas de propagación unen estrechamente con todas las demás</translation>
+    </message>
+    <message>
+        <source>PageRank: cells that a fire wandering at random from cell to cell is often in</source>
+        <translation>PageRank: celdas en las que está a menudo un fuego que vaga al azar de celda en celda</translation>
+    </message>
+    <message>
+        <source>Percolation centrality: cells on many fastest routes from where fires start</source>
+        <translation>Centralidad de percolación: celdas en muchas rutas más rápidas desde donde empiezan los incendios</translation>
+    </message>
+    <message>
+        <source>Random: cells in random order, the baseline that every plan must beat</source>
+        <translation>Azar: celdas en orden aleatorio, la referencia que todo plan debe superar</translation>
+    </message>
+    <message>
+        <source>Strategically placed area treatments (SPLAT): staggered patches that slow a fire, with no line through them</source>
+        <translation>Áreas de tratamiento situadas estratégicamente (SPLAT): parches al tresbolillo que frenan el fuego, sin paso recto entre ellos</translation>
+    </message>
+    <message>
+        <source>Stripes: parallel bands across a direction, the plainest pattern of practice</source>
+        <translation>Franjas: fajas paralelas a través de una dirección, el patrón más sencillo de la práctica</translation>
+    </message>
+    <message>
+        <source>Ignition points</source>
+        <translation>Puntos de ignición</translation>
+    </message>
+    <message>
+        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
+        <translation>Puntos, polígonos (perímetros que ya arden; cualquier archivo vectorial, o CSV con x e y) o un ráster de probabilidad de ignición [si no, una celda al azar con combustible por ejecución].</translation>
+    </message>
+    <message>
+        <source>Number of fires</source>
+        <translation>Número de incendios</translation>
+    </message>
+    <message>
+        <source>Simulated fires.</source>
+        <translation>Incendios simulados.</translation>
+    </message>
+    <message>
+        <source>Unit of the budget</source>
+        <translation>Unidad del presupuesto</translation>
+    </message>
+    <message>
+        <source>What "Budget" counts: a share of the fuel, hectares, or money (with "Cost of cutting per hectare").</source>
+        <translation>Qué cuenta "Presupuesto": una proporción del combustible, hectáreas, o dinero (con "Coste de corta por hectárea").</translation>
+    </message>
+    <message>
+        <source>Share of the fuel (0 to 1)</source>
+        <translation>Proporción del combustible (0 a 1)</translation>
+    </message>
+    <message>
+        <source>Hectares</source>
+        <translation>Hectáreas</translation>
+    </message>
+    <message>
+        <source>Money</source>
+        <translation>Dinero</translation>
+    </message>
+    <message>
+        <source>Parameters of the ranking, such as beta=0.5; width=60</source>
+        <translation>Parámetros del método de ordenación, p. ej. beta=0.5; width=60</translation>
+    </message>
+    <message>
+        <source>Parameter of the ranking, e.g. beta=0.5; several are separated by ;.</source>
+        <translation>Parámetro del método de ordenación, p. ej. beta=0.5; varios se separan con ;.</translation>
+    </message>
+    <message>
+        <source>Share of the spread that a break lets through</source>
+        <translation>Proporción de la propagación que deja pasar un cortafuegos</translation>
+    </message>
+    <message>
+        <source>Share of its spread probability that a treated cell keeps; 0 is a perfect break, real ones leak.</source>
+        <translation>Proporción de su probabilidad de propagación que conserva una celda tratada; 0 es un cortafuegos perfecto, los reales dejan pasar algo.</translation>
+    </message>
+    <message>
+        <source>Least width of the breaks [m]</source>
+        <translation>Anchura mínima de los cortafuegos [m]</translation>
+    </message>
+    <message>
+        <source>Least width of the breaks, rounded up to whole cells [default: one cell, or the best for "Share of the spread that a break lets through"].</source>
+        <translation>Anchura mínima de los cortafuegos, redondeada a celdas enteras [si no, una celda, o la mejor para "Proporción de la propagación que deja pasar un cortafuegos"].</translation>
+    </message>
+    <message>
+        <source>Improve the breaks on simulated fires (takes longer)</source>
+        <translation>Mejorar los cortafuegos con incendios simulados (tarda más)</translation>
+    </message>
+    <message>
+        <source>Improve the breaks by local search on simulated fires; takes longer.</source>
+        <translation>Mejora los cortafuegos por búsqueda local con incendios simulados; tarda más.</translation>
+    </message>
+    <message>
+        <source>Treatments (CSV, or default)</source>
+        <translation>Tratamientos (CSV, o default)</translation>
+    </message>
+    <message>
+        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost [default: all segments alike, by "Share of the spread that a break lets through"].</source>
+        <translation>Tabla de tratamientos (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), o default: cada tramo recibe el que más ahorra por su coste [si no, todos los tramos iguales, según "Proporción de la propagación que deja pasar un cortafuegos"].</translation>
+    </message>
+    <message>
+        <source>as a word</source>
+        <translation>como palabra</translation>
+    </message>
+    <message>
+        <source>Cost of cutting per hectare</source>
+        <translation>Coste de corta por hectárea</translation>
+    </message>
+    <message>
+        <source>Cost of cutting per hectare: a raster, polygons with "Field with the cost", or classes such as agricultural=500,shrubs=900,pines=1500.</source>
+        <translation>Coste de corta por hectárea: un ráster, polígonos con "Campo con el coste", o clases como agricultural=500,shrubs=900,pines=1500.</translation>
+    </message>
+    <message>
+        <source>as classes: agricultural=500,pines=1500</source>
+        <translation>como clases: agricultural=500,pines=1500</translation>
+    </message>
+    <message>
+        <source>Field with the cost</source>
+        <translation>Campo con el coste</translation>
+    </message>
+    <message>
+        <source>Column of the cost polygons.</source>
+        <translation>Columna de los polígonos de coste.</translation>
+    </message>
+    <message>
+        <source>Cost per hectare where none is known</source>
+        <translation>Coste por hectárea donde no se conoce ninguno</translation>
+    </message>
+    <message>
+        <source>Cost per hectare where "Cost of cutting per hectare" tells none; alone, everywhere [default: nothing is cut there].</source>
+        <translation>Coste por hectárea donde "Coste de corta por hectárea" no dice ninguno; si va solo, en todas partes [si no, allí no se corta].</translation>
+    </message>
+    <message>
+        <source>Area outside of which nothing may be cut</source>
+        <translation>Zona fuera de la cual no se puede cortar</translation>
+    </message>
+    <message>
+        <source>Area (raster or polygons, lines take the cells that they touch) outside of which nothing may be cut.</source>
+        <translation>Zona (ráster o polígonos; las líneas toman las celdas que tocan) fuera de la cual no se puede cortar.</translation>
+    </message>
+    <message>
+        <source>Cells that protected and allowed areas keep</source>
+        <translation>Celdas que las zonas protegidas y permitidas conservan</translation>
+    </message>
+    <message>
+        <source>Cells that "Area where nothing may be cut" and "Area outside of which nothing may be cut" keep from being cut: all with a part inside the one or outside the other, or those whose centre is.</source>
+        <translation>Celdas que "Zona donde no se puede cortar" y "Zona fuera de la cual no se puede cortar" libran de la corta: todas las que tienen una parte dentro de la una o fuera de la otra, o aquellas cuyo centro lo está.</translation>
+    </message>
+    <message>
+        <source>Cells with any part in the area</source>
+        <translation>Celdas con alguna parte en la zona</translation>
+    </message>
+    <message>
+        <source>Cells whose centre is in the area</source>
+        <translation>Celdas cuyo centro está en la zona</translation>
+    </message>
+    <message>
+        <source>Field with the value</source>
+        <translation>Campo con el valor</translation>
+    </message>
+    <message>
+        <source>Column of the value polygons or points [default: 1 for each].</source>
+        <translation>Columna de los polígonos o puntos de valor [si no, 1 para cada uno].</translation>
+    </message>
+    <message>
+        <source>Values are</source>
+        <translation>Los valores son</translation>
+    </message>
+    <message>
+        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
+        <translation>Qué son los números de "Valores en riesgo": tanto en cada celda del ráster, polígono o punto (personas), cuya suma se conserva; o tanto por hectárea.</translation>
+    </message>
+    <message>
+        <source>So much in each cell, polygon or point</source>
+        <translation>Tanto en cada celda, polígono o punto</translation>
+    </message>
+    <message>
+        <source>So much a hectare</source>
+        <translation>Tanto por hectárea</translation>
+    </message>
+    <message>
+        <source>Conditions on features, such as barriers=highway = 'primary'</source>
+        <translation>Condiciones sobre objetos, p. ej. barriers=highway = 'primary'</translation>
+    </message>
+    <message>
+        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
+        <translation>Toma solo los objetos que cumplen una condición, con el nombre de la capa delante, p. ej. barriers=highway = 'primary'; varias se separan con ;.</translation>
+    </message>
+    <message>
+        <source>Use of the ignition points</source>
+        <translation>Uso de los puntos de ignición</translation>
+    </message>
+    <message>
+        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
+        <translation>Con puntos o polígonos: las ejecuciones los toman por turno (la semilla sortea el orden), empiezan en todos, o empiezan donde tales incendios del pasado son densos.</translation>
+    </message>
+    <message>
+        <source>One for each fire, in turn</source>
+        <translation>Uno por incendio, por turno</translation>
+    </message>
+    <message>
+        <source>All at once in every fire</source>
+        <translation>Todos a la vez en cada incendio</translation>
+    </message>
+    <message>
+        <source>More fires where they are dense</source>
+        <translation>Más incendios donde son densos</translation>
+    </message>
+    <message>
+        <source>Ignition points without fuel</source>
+        <translation>Puntos de ignición sin combustible</translation>
+    </message>
+    <message>
+        <source>What to do with points and polygons off the landscape or without fuel.</source>
+        <translation>Qué hacer con puntos y polígonos fuera del paisaje o sin combustible.</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Dejarlos fuera</translation>
+    </message>
+    <message>
+        <source>Column with the hour of each ignition</source>
+        <translation>Columna con la hora de cada ignición</translation>
+    </message>
+    <message>
+        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
+        <translation>Columna de las igniciones que dice cuándo se enciende cada una, en horas desde el comienzo de la ejecución.</translation>
+    </message>
+    <message>
+        <source>Embers</source>
+        <translation>Pavesas</translation>
+    </message>
+    <message>
+        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
+        <translation>Pavesas que vuelan por delante del fuego: on, o números como rate=12,longest=1000 en lugar de los supuestos.</translation>
+    </message>
+    <message>
+        <source>When crews contain a fire, such as 6h</source>
+        <translation>Cuándo los medios contienen un incendio, p. ej. 6h</translation>
+    </message>
+    <message>
+        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
+        <translation>Cuándo los medios contienen cada incendio: un tiempo o una distribución como en "Cuánto duran los incendios", o un ataque directo en tal momento, que fracasa si el fuego es ya demasiado grande o intenso: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha por encima) [si no, nunca].</translation>
+    </message>
+    <message>
+        <source>How often a break holds, such as 0.47</source>
+        <translation>Con qué frecuencia aguanta un cortafuegos, p. ej. 0.47</translation>
+    </message>
+    <message>
+        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
+        <translation>Con qué frecuencia aguanta un trozo de cortafuegos en una ejecución: una proporción (0.47 en el campo), flame (por anchura e intensidad del fuego, Wilson 1988) o flame:flames (1.5 longitudes de llama); los trozos tienen 400 m, o como en 0.47:800 [si no, 0.47, un supuesto].</translation>
+    </message>
+    <message>
+        <source>How often a barrier holds, such as 0.9</source>
+        <translation>Con qué frecuencia aguanta una barrera, p. ej. 0.9</translation>
+    </message>
+    <message>
+        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
+        <translation>Proporción de ejecuciones en que aguanta un trozo de las barreras; se sortea aparte de los cortafuegos.</translation>
+    </message>
+    <message>
+        <source>Fires without an end by time</source>
+        <translation>Incendios sin final por tiempo</translation>
+    </message>
+    <message>
+        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
+        <translation>Los incendios acaban por sí mismos y los cortafuegos aguantan en todos, si "Con qué frecuencia aguanta un cortafuegos" no dice otra cosa, como en el artículo.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <source>Seed of all draws.</source>
+        <translation>Semilla de todos los sorteos.</translation>
+    </message>
+    <message>
+        <source>Table of weather</source>
+        <translation>Tabla meteorológica</translation>
+    </message>
+    <message>
+        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
+        <translation>Conjunto de situaciones meteorológicas, de las que cada ejecución saca una: un archivo CSV con wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; o una rosa de los vientos como rose:NW=5x0.4,N=8x0.2.</translation>
+    </message>
+    <message>
+        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
+        <translation>como rosa de los vientos: rose:NW=5x0.4,N=8x0.2</translation>
+    </message>
+    <message>
+        <source>Time of each line of the table of weather, such as 1h</source>
+        <translation>Duración de cada línea de la tabla meteorológica, p. ej. 1h</translation>
+    </message>
+    <message>
+        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
+        <translation>Las líneas de la meteorología se suceden, y cada una dura esto, p. ej. 1h.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather, such as wind_speed=FF</source>
+        <translation>Columnas de la tabla meteorológica, p. ej. wind_speed=FF</translation>
+    </message>
+    <message>
+        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
+        <translation>Nombre de una columna de la meteorología, p. ej. wind_speed=FF; varios se separan con ;.</translation>
+    </message>
+    <message>
+        <source>Units of the table of weather, such as wind_speed=kn</source>
+        <translation>Unidades de la tabla meteorológica, p. ej. wind_speed=kn</translation>
+    </message>
+    <message>
+        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
+        <translation>Unidad de una columna de la meteorología que no la dice, p. ej. wind_speed=kn; varias se separan con ;.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather to leave out</source>
+        <translation>Columnas de la tabla meteorológica que se dejan fuera</translation>
+    </message>
+    <message>
+        <source>Columns of the weather to leave out, separated by commas.</source>
+        <translation>Columnas de la meteorología que se dejan fuera, separadas por comas.</translation>
+    </message>
+    <message>
+        <source>Fire breaks</source>
+        <translation>Cortafuegos</translation>
+    </message>
+    <message>
+        <source>Fire breaks as polygons</source>
+        <translation>Cortafuegos como polígonos</translation>
+    </message>
+    <message>
+        <source>Segments to build, in order</source>
+        <translation>Tramos por construir, en orden</translation>
+    </message>
+    <message>
+        <source>Compartments between the breaks</source>
+        <translation>Compartimentos entre los cortafuegos</translation>
+    </message>
+    <message>
+        <source>The plan on one page: map, segments, doubt; opens in any browser</source>
+        <translation>El plan en una página: mapa, tramos, incertidumbre; se abre en cualquier navegador</translation>
+    </message>
+    <message>
+        <source>Cutting priority</source>
+        <translation>Prioridad de corta</translation>
+    </message>
+    <message>
+        <source>Burn frequency without breaks</source>
+        <translation>Frecuencia de quema sin cortafuegos</translation>
+    </message>
+    <message>
+        <source>Burn frequency with the breaks</source>
+        <translation>Frecuencia de quema con los cortafuegos</translation>
+    </message>
+    <message>
+        <source>Size of every fire without and with the breaks</source>
+        <translation>Tamaño de cada incendio sin y con los cortafuegos</translation>
+    </message>
+    <message>
+        <source>Burnt share at every budget</source>
+        <translation>Proporción quemada con cada presupuesto</translation>
+    </message>
+    <message>
+        <source>Cells burnt in every run of it</source>
+        <translation>Celdas quemadas en cada ejecución de ello</translation>
+    </message>
+    <message>
+        <source>Burnt share at every budget, without a clock and with perfect breaks</source>
+        <translation>Proporción quemada con cada presupuesto, sin reloj y con cortafuegos perfectos</translation>
+    </message>
+    <message>
+        <source>Picture of the plan</source>
+        <translation>Imagen del plan</translation>
+    </message>
+    <message>
+        <source>Rank cells</source>
+        <translation>Ordenar celdas</translation>
+    </message>
+    <message>
+        <source>Rank the cells of a spread network by the order in which they should be cut: higher is earlier.</source>
+        <translation>Ordena las celdas de una red de propagación según cuándo se deben cortar: más alto es antes.</translation>
+    </message>
+    <message>
+        <source>Rankings that lay a pattern for the budget give another order for another budget.</source>
+        <translation>Los métodos que trazan un patrón para el presupuesto dan otro orden con otro presupuesto.</translation>
+    </message>
+    <message>
+        <source>Eight bands with the probability that fire spreads to the N, NE, E, SE, S, SW, W and NW.</source>
+        <translation>Ocho bandas con la probabilidad de que el fuego pase al N, NE, E, SE, S, SO, O y NO.</translation>
+    </message>
+    <message>
+        <source>Elevation, for methods that follow ridges [m].</source>
+        <translation>Elevación, para métodos que siguen crestas [m].</translation>
+    </message>
+    <message>
+        <source>How likely a fire starts in each cell, relative to the others [default: alike].</source>
+        <translation>Con qué probabilidad empieza un incendio en cada celda, en relación con las demás [si no, igual].</translation>
+    </message>
+    <message>
+        <source>Cost of cutting per hectare: a raster, polygons with "Field with the cost".</source>
+        <translation>Coste de corta por hectárea: un ráster, polígonos con "Campo con el coste".</translation>
+    </message>
+    <message>
+        <source>Select fire breaks</source>
+        <translation>Seleccionar cortafuegos</translation>
+    </message>
+    <message>
+        <source>Cut the cells of highest priority, as many as the budget allows.</source>
+        <translation>Corta las celdas de mayor prioridad, tantas como permite el presupuesto.</translation>
+    </message>
+    <message>
+        <source>Ties are cut by row, then column. A priority that was made for another budget is warned of.</source>
+        <translation>Los empates se cortan por fila y luego por columna. Se avisa de una prioridad hecha para otro presupuesto.</translation>
+    </message>
+    <message>
+        <source>Score by which cells are cut, higher is earlier.</source>
+        <translation>Puntuación según la cual se cortan las celdas, más alto es antes.</translation>
+    </message>
+    <message>
+        <source>Cost per hectare, for "Unit of the budget" cost: a raster, or polygons with "Field with the cost".</source>
+        <translation>Coste por hectárea, si "Unidad del presupuesto" es dinero: un ráster, o polígonos con "Campo con el coste".</translation>
+    </message>
+    <message>
+        <source>Take a raster that was not written as a priority</source>
+        <translation>Tomar un ráster que no se escribió como prioridad</translation>
+    </message>
+    <message>
+        <source>Take a raster that was not written as a priority all the same: its greatest numbers are cut first.</source>
+        <translation>Toma a pesar de todo un ráster que no se escribió como prioridad: sus números mayores se cortan primero.</translation>
+    </message>
+    <message>
+        <source>Segments to build</source>
+        <translation>Tramos por construir</translation>
+    </message>
+    <message>
+        <source>Take fire breaks apart into segments to build, best first.</source>
+        <translation>Descompone los cortafuegos en tramos por construir, primero los mejores.</translation>
+    </message>
+    <message>
+        <source>Each segment separates two compartments of fuel, and has an order of construction, a length, width, area, mean slope and cost, and the share of all that the breaks save that it adds.</source>
+        <translation>Cada tramo separa dos compartimentos de combustible y tiene un orden de construcción, longitud, anchura, superficie, pendiente media y coste, y la parte que añade a todo lo que ahorran los cortafuegos.</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Tramos</translation>
+    </message>
+    <message>
+        <source>Stages of construction</source>
+        <translation>Etapas de construcción</translation>
+    </message>
+    <message>
+        <source>Length in kilometres</source>
+        <translation>Longitud en kilómetros</translation>
+    </message>
+    <message>
+        <source>Compartments</source>
+        <translation>Compartimentos</translation>
+    </message>
+    <message>
+        <source>Cells that are cut: 1, all others 0.</source>
+        <translation>Celdas cortadas: 1, todas las demás 0.</translation>
+    </message>
+    <message>
+        <source>Ranking; decides between segments that save equally much.</source>
+        <translation>Ordenación; decide entre tramos que ahorran lo mismo.</translation>
+    </message>
+    <message>
+        <source>Elevation on any grid, for the slopes [m].</source>
+        <translation>Elevación en cualquier cuadrícula, para las pendientes [m].</translation>
+    </message>
+    <message>
+        <source>as polygons or lines</source>
+        <translation>como polígonos o líneas</translation>
+    </message>
+    <message>
+        <source>Burn frequency</source>
+        <translation>Frecuencia de quema</translation>
+    </message>
+    <message>
+        <source>Let many fires start and tell how often each cell burns.</source>
+        <translation>Hace empezar muchos incendios y dice con qué frecuencia arde cada celda.</translation>
+    </message>
+    <message>
+        <source>Fires with a duration need a network with times. With the same seed the fires are the same with and without breaks, so their difference is the breaks' work alone.</source>
+        <translation>Los incendios con duración necesitan una red con tiempos. Con la misma semilla los incendios son los mismos con y sin cortafuegos, de modo que su diferencia se debe solo a los cortafuegos.</translation>
+    </message>
+    <message>
+        <source>Mean burnt share</source>
+        <translation>Proporción quemada media</translation>
+    </message>
+    <message>
+        <source>Largest burnt share</source>
+        <translation>Mayor proporción quemada</translation>
+    </message>
+    <message>
+        <source>Mean fire in hectares</source>
+        <translation>Incendio medio en hectáreas</translation>
+    </message>
+    <message>
+        <source>Largest fire in hectares</source>
+        <translation>Mayor incendio en hectáreas</translation>
+    </message>
+    <message>
+        <source>Cut cells: a raster, or own breaks as polygons or lines.</source>
+        <translation>Celdas cortadas: un ráster, o cortafuegos propios como polígonos o líneas.</translation>
+    </message>
+    <message>
+        <source>Roads, rivers and the like on ground that the network holds as fuel; they stop fire as "How often a barrier holds" says.</source>
+        <translation>Carreteras, ríos y similares sobre suelo que la red tiene por combustible; detienen el fuego como dice "Con qué frecuencia aguanta una barrera".</translation>
+    </message>
+    <message>
+        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: until they end by themselves].</source>
+        <translation>Cuánto duran los incendios: 8h, una lista que las ejecuciones toman por turno (4h,8h), lognormal:8h,0.7 (mediana y sigma), uniform:2h,12h, o weather [si no, hasta que acaban por sí mismos].</translation>
+    </message>
+    <message>
+        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: always].</source>
+        <translation>Con qué frecuencia aguanta un trozo de cortafuegos en una ejecución: una proporción (0.47 en el campo), flame (por anchura e intensidad del fuego, Wilson 1988) o flame:flames (1.5 longitudes de llama); los trozos tienen 400 m, o como en 0.47:800 [si no, siempre].</translation>
+    </message>
+    <message>
+        <source>Times for the folder of arrival times, such as 2h,4h</source>
+        <translation>Tiempos para la carpeta de tiempos de llegada, p. ej. 2h,4h</translation>
+    </message>
+    <message>
+        <source>Times for "Folder for arrival times".</source>
+        <translation>Tiempos para "Carpeta para tiempos de llegada".</translation>
+    </message>
+    <message>
+        <source>Limits of the classes of fire sizes [hectares]</source>
+        <translation>Límites de las clases de tamaño de incendio [hectáreas]</translation>
+    </message>
+    <message>
+        <source>Limits of the classes of fire sizes for "Folder for arrival times", in hectares.</source>
+        <translation>Límites de las clases de tamaño de incendio para "Carpeta para tiempos de llegada", en hectáreas.</translation>
+    </message>
+    <message>
+        <source>Flame lengths for the folder of arrival times [m]</source>
+        <translation>Longitudes de llama para la carpeta de tiempos de llegada [m]</translation>
+    </message>
+    <message>
+        <source>Flame lengths for "Folder for arrival times", in metres; left out if the network knows no heat.</source>
+        <translation>Longitudes de llama para "Carpeta para tiempos de llegada", en metros; se omiten si la red no conoce el calor.</translation>
+    </message>
+    <message>
+        <source>Fire sizes</source>
+        <translation>Tamaños de incendio</translation>
+    </message>
+    <message>
+        <source>Folder for arrival times, isochrones and more</source>
+        <translation>Carpeta para tiempos de llegada, isócronas y más</translation>
+    </message>
+    <message>
+        <source>Evaluate</source>
+        <translation>Evaluar</translation>
+    </message>
+    <message>
+        <source>Judge rankings: mean, 90 % percentile and maximum of the burnt share at every budget.</source>
+        <translation>Juzga los métodos de ordenación: media, percentil 90 % y máximo de la proporción quemada con cada presupuesto.</translation>
+    </message>
+    <message>
+        <source>All rankings meet the same fires, and each plan is made for its budget.</source>
+        <translation>Todos los métodos se enfrentan a los mismos incendios, y cada plan se hace para su presupuesto.</translation>
+    </message>
+    <message>
+        <source>Rankings</source>
+        <translation>Métodos de ordenación</translation>
+    </message>
+    <message>
+        <source>Rankings to hold against each other; all are described below.</source>
+        <translation>Métodos de ordenación que se comparan entre sí; todos se describen abajo.</translation>
+    </message>
+    <message>
+        <source>Ranking to test against</source>
+        <translation>Método con el que se contrasta</translation>
+    </message>
+    <message>
+        <source>Ranking that the others are tested against.</source>
+        <translation>Método con el que se contrastan los demás.</translation>
+    </message>
+    <message>
+        <source>Budgets, separated by commas</source>
+        <translation>Presupuestos, separados por comas</translation>
+    </message>
+    <message>
+        <source>Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
+        <translation>Proporciones que cortar, separadas por comas [si no, de 0 a 0.4 en pasos de 0.01; donde cada presupuesto se quema de nuevo, con reloj o cortafuegos que fallan, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Prueba</translation>
+    </message>
+    <message>
+        <source>Paired Wilcoxon signed-rank, Wilcoxon rank-sum for independent runs, or paired t.</source>
+        <translation>Wilcoxon de rangos con signo por pares, Wilcoxon de suma de rangos para ejecuciones independientes, o t por pares.</translation>
+    </message>
+    <message>
+        <source>Wilcoxon's signed-rank test of pairs</source>
+        <translation>Prueba de Wilcoxon de rangos con signo, por pares</translation>
+    </message>
+    <message>
+        <source>Wilcoxon's rank-sum test of independent runs</source>
+        <translation>Prueba de Wilcoxon de suma de rangos, ejecuciones independientes</translation>
+    </message>
+    <message>
+        <source>Student's t-test of pairs</source>
+        <translation>Prueba t de Student, por pares</translation>
+    </message>
+    <message>
+        <source>Significance threshold</source>
+        <translation>Umbral de significación</translation>
+    </message>
+    <message>
+        <source>Significance threshold.</source>
+        <translation>Umbral de significación.</translation>
+    </message>
+    <message>
+        <source>Burnt share and significance of every ranking at every budget</source>
+        <translation>Proporción quemada y significación de cada método con cada presupuesto</translation>
+    </message>
+    <message>
+        <source>Cells burnt in every run, from which each p-value can be found again</source>
+        <translation>Celdas quemadas en cada ejecución, con las que se puede volver a hallar cada valor p</translation>
+    </message>
+    <message>
+        <source>Curves of the burnt share</source>
+        <translation>Curvas de la proporción quemada</translation>
+    </message>
+    <message>
+        <source>Curves of the burnt share, to scale</source>
+        <translation>Curvas de la proporción quemada, escalables</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Compare rankings: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
+        <translation>Compara métodos de ordenación: superficie quemada esperada, valor perdido, peores incendios y hectáreas salvadas por hectárea cortada, con intervalos.</translation>
+    </message>
+    <message>
+        <source>The fires are fresh: no plan was designed with them, and all burn in the same ones.</source>
+        <translation>Los incendios son nuevos: ningún plan se diseñó con ellos, y todos se prueban con los mismos.</translation>
+    </message>
+    <message>
+        <source>Shares to cut, separated by commas.</source>
+        <translation>Proporciones que cortar, separadas por comas.</translation>
+    </message>
+    <message>
+        <source>Shares that breaks let through, separated by commas</source>
+        <translation>Proporciones que dejan pasar los cortafuegos, separadas por comas</translation>
+    </message>
+    <message>
+        <source>Shares of its spread probability that a treated cell keeps, separated by commas; 0 is perfect.</source>
+        <translation>Proporciones de su probabilidad de propagación que conserva una celda tratada, separadas por comas; 0 es perfecto.</translation>
+    </message>
+    <message>
+        <source>The comparison on one page; opens in any browser</source>
+        <translation>La comparación en una página; se abre en cualquier navegador</translation>
+    </message>
+    <message>
+        <source>Every ranking at every budget and leak, with intervals</source>
+        <translation>Cada método con cada presupuesto y cada fuga, con intervalos</translation>
+    </message>
+    <message>
+        <source>Curves of the rankings</source>
+        <translation>Curvas de los métodos</translation>
+    </message>
+    <message>
+        <source>Curves of the rankings, to scale</source>
+        <translation>Curvas de los métodos, escalables</translation>
+    </message>
+    <message>
+        <source>Validate against a scar</source>
+        <translation>Validar con un área quemada</translation>
+    </message>
+    <message>
+        <source>Hold a simulated fire against the area that burnt, beside fires that know nothing.</source>
+        <translation>Compara un incendio simulado con el área que ardió, junto a incendios que no saben nada.</translation>
+    </message>
+    <message>
+        <source>Sorensen's index, IoU, the IoU of the growth alone, size, Brier score and reliability are told for the simulated fire and for the null models: no growth, equal distance in fuel, an ellipse in the wind.</source>
+        <translation>Para el incendio simulado y para los modelos nulos (sin crecimiento, igual distancia en el combustible, una elipse en el viento) se dan el índice de Sørensen, el IoU, el IoU del crecimiento solo, el tamaño, la puntuación de Brier y la fiabilidad.</translation>
+    </message>
+    <message>
+        <source>Observed hectares</source>
+        <translation>Hectáreas observadas</translation>
+    </message>
+    <message>
+        <source>Simulated hectares</source>
+        <translation>Hectáreas simuladas</translation>
+    </message>
+    <message>
+        <source>Area that burnt</source>
+        <translation>Área quemada</translation>
+    </message>
+    <message>
+        <source>Perimeter of the fire as polygons, or a raster above 0 where it burnt.</source>
+        <translation>Perímetro del incendio como polígonos, o un ráster mayor que 0 donde ardió.</translation>
+    </message>
+    <message>
+        <source>Where the fire was first seen</source>
+        <translation>Dónde se vio el incendio primero</translation>
+    </message>
+    <message>
+        <source>Where the fire was first seen: points, or polygons that burnt already (any vector file), or a raster.</source>
+        <translation>Dónde se vio el incendio primero: puntos, o polígonos que ya ardían (cualquier archivo vectorial), o un ráster.</translation>
+    </message>
+    <message>
+        <source>How long the fire spread, e.g. 3h; lognormal:3h,0.5 (median, sigma) where that is not known well.</source>
+        <translation>Cuánto tiempo se propagó el incendio, p. ej. 3h; lognormal:3h,0.5 (mediana, sigma) donde no se sabe bien.</translation>
+    </message>
+    <message>
+        <source>Number of simulated fires.</source>
+        <translation>Número de incendios simulados.</translation>
+    </message>
+    <message>
+        <source>Scores of the simulated fire and of the null models</source>
+        <translation>Puntuaciones del incendio simulado y de los modelos nulos</translation>
+    </message>
+    <message>
+        <source>How often cells burnt, by the probability forecast</source>
+        <translation>Con qué frecuencia ardieron las celdas, según la probabilidad prevista</translation>
+    </message>
+    <message>
+        <source>Share of the simulated fires in which each cell burns</source>
+        <translation>Proporción de los incendios simulados en que arde cada celda</translation>
+    </message>
+    <message>
+        <source>Picture of the simulated fire over the scar, with the reliability</source>
+        <translation>Imagen del incendio simulado sobre el área quemada, con la fiabilidad</translation>
+    </message>
+    <message>
+        <source>Calibrate on observed fires</source>
+        <translation>Calibrar con incendios observados</translation>
+    </message>
+    <message>
+        <source>Fit the rate of spread, durations and spread probability to the fires of a region.</source>
+        <translation>Ajusta la velocidad de propagación, las duraciones y la probabilidad de propagación a los incendios de una región.</translation>
+    </message>
+    <message>
+        <source>The fires are polygons or a table with their sizes and perhaps their days; the weather tells the winds in which they burn. More numbers than the fires can tell are refused.</source>
+        <translation>Los incendios son polígonos o una tabla con sus tamaños y, si se saben, sus días; la meteorología dice los vientos en que arden. Se rechaza ajustar más números de los que los incendios permiten.</translation>
+    </message>
+    <message>
+        <source>Fires</source>
+        <translation>Incendios</translation>
+    </message>
+    <message>
+        <source>Numbers fitted</source>
+        <translation>Números ajustados</translation>
+    </message>
+    <message>
+        <source>Observed fires with sizes and days</source>
+        <translation>Incendios observados con tamaños y días</translation>
+    </message>
+    <message>
+        <source>Polygons or a table (CSV) of the fires of a region, with their sizes in hectares and perhaps their days.</source>
+        <translation>Polígonos o una tabla (CSV) de los incendios de una región, con sus tamaños en hectáreas y, si se saben, sus días.</translation>
+    </message>
+    <message>
+        <source>What to fit: rate, duration, p0</source>
+        <translation>Qué ajustar: rate, duration, p0</translation>
+    </message>
+    <message>
+        <source>What to fit: rate, duration and p0, separated by commas [default: rate and duration; of fewer than three scars the rate alone].</source>
+        <translation>Qué ajustar: rate, duration y p0, separados por comas [si no, rate y duration; con menos de tres áreas quemadas, rate solo].</translation>
+    </message>
+    <message>
+        <source>Smallest fire that counts [hectares]</source>
+        <translation>Menor incendio que cuenta [hectáreas]</translation>
+    </message>
+    <message>
+        <source>Fires of fewer hectares do not count: small ones are often not mapped.</source>
+        <translation>Los incendios de menos hectáreas no cuentan: los pequeños a menudo no están cartografiados.</translation>
+    </message>
+    <message>
+        <source>How likely a fire starts in each cell, relative to the others [default: everywhere alike].</source>
+        <translation>Con qué probabilidad empieza un incendio en cada celda, en relación con las demás [si no, igual en todas partes].</translation>
+    </message>
+    <message>
+        <source>Column with the size in hectares</source>
+        <translation>Columna con el tamaño en hectáreas</translation>
+    </message>
+    <message>
+        <source>Column of "Observed fires with sizes and days" with the size in hectares [default: found by name].</source>
+        <translation>Columna de "Incendios observados con tamaños y días" con el tamaño en hectáreas [si no, se halla por el nombre].</translation>
+    </message>
+    <message>
+        <source>Column with the first day</source>
+        <translation>Columna con el primer día</translation>
+    </message>
+    <message>
+        <source>Column of "Observed fires with sizes and days" with the first day [default: found by name].</source>
+        <translation>Columna de "Incendios observados con tamaños y días" con el primer día [si no, se halla por el nombre].</translation>
+    </message>
+    <message>
+        <source>Column with the last day</source>
+        <translation>Columna con el último día</translation>
+    </message>
+    <message>
+        <source>Column of "Observed fires with sizes and days" with the last day [default: found by name].</source>
+        <translation>Columna de "Incendios observados con tamaños y días" con el último día [si no, se halla por el nombre].</translation>
+    </message>
+    <message>
+        <source>Time of spread on each day of a fire [hours]</source>
+        <translation>Tiempo de propagación en cada día de un incendio [horas]</translation>
+    </message>
+    <message>
+        <source>Hours for which a fire spreads on each of its days; an assumption that tells rates and durations apart.</source>
+        <translation>Horas que un incendio se propaga en cada uno de sus días; un supuesto que distingue velocidades de duraciones.</translation>
+    </message>
+    <message>
+        <source>Longest simulated fire, such as 200h</source>
+        <translation>Mayor duración de un incendio simulado, p. ej. 200h</translation>
+    </message>
+    <message>
+        <source>No fire spreads longer [default: as many whole days as the longest observed fire, or 200h].</source>
+        <translation>Ningún incendio se propaga más tiempo [si no, tantos días enteros como el incendio observado más largo, o 200h].</translation>
+    </message>
+    <message>
+        <source>Parameter of the spread model that stays as it is, e.g. moisture=0.06; several are separated by ;.</source>
+        <translation>Parámetro del modelo de propagación que queda como está, p. ej. moisture=0.06; varios se separan con ;.</translation>
+    </message>
+    <message>
+        <source>Calibration, which other forms take</source>
+        <translation>Calibración, que toman otros formularios</translation>
+    </message>
+    <message>
+        <source>What is told of each fire</source>
+        <translation>Lo que se dice de cada incendio</translation>
+    </message>
+    <message>
+        <source>Report of a run</source>
+        <translation>Informe de una ejecución</translation>
+    </message>
+    <message>
+        <source>Show a plan or a comparison on one page: map, segments, curve, assumptions, files.</source>
+        <translation>Muestra un plan o una comparación en una página: mapa, tramos, curva, supuestos, archivos.</translation>
+    </message>
+    <message>
+        <source>Choose the folder into which all files of the run were written. The page opens in any browser without a network. Its links lead to files beside the page, so write it into that folder.</source>
+        <translation>Elija la carpeta en la que se escribieron todos los archivos de la ejecución. La página se abre en cualquier navegador sin red. Sus enlaces llevan a archivos junto a la página, así que escríbala en esa carpeta.</translation>
+    </message>
+    <message>
+        <source>Folder of the run</source>
+        <translation>Carpeta de la ejecución</translation>
+    </message>
+    <message>
+        <source>Into which a plan or a comparison was written with all its files.</source>
+        <translation>En la que se escribió un plan o una comparación con todos sus archivos.</translation>
+    </message>
+    <message>
+        <source>The run on one page</source>
+        <translation>La ejecución en una página</translation>
+    </message>
+    <message>
+        <source>{} was not made: there is nothing to put in it.</source>
+        <translation>{} no se hizo: no hay nada que poner en él.</translation>
+    </message>
+    <message>
+        <source>Stopped; no output was written.</source>
+        <translation>Detenido; no se escribió ninguna salida.</translation>
+    </message>
+    <message>
+        <source>Report: {} (open it from the Results Viewer)</source>
+        <translation>Informe: {} (ábralo desde el visor de resultados)</translation>
+    </message>
+    <message>
+        <source>[not chosen]</source>
+        <translation>[sin elegir]</translation>
+    </message>
+    <message>
+        <source>{} holds {}; only a GeoPackage can hold {} as well.</source>
+        <translation>{} contiene {}; solo un GeoPackage puede contener también {}.</translation>
+    </message>
+    <message>
+        <source>The layer {} cannot be read as cells of a raster.</source>
+        <translation>La capa {} no se puede leer como celdas de un ráster.</translation>
+    </message>
+    <message>
+        <source>An extent needs the CRS of the grid; choose it beside the extent (CRS).</source>
+        <translation>Una extensión necesita el SRC de la cuadrícula; elíjalo junto a la extensión (SRC).</translation>
+    </message>
+    <message>
+        <source>Making the engine of Firebreak</source>
+        <translation>Creando el motor de Firebreak</translation>
+    </message>
+    <message>
+        <source>firebreak_gis {} is ready.</source>
+        <translation>firebreak_gis {} está listo.</translation>
+    </message>
+    <message>
+        <source>firebreak_gis {} answers: {} ({})</source>
+        <translation>firebreak_gis {} responde: {} ({})</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Python with firebreak_gis, or the firebreak program</source>
+        <translation>Python con firebreak_gis, o el programa firebreak</translation>
+    </message>
+    <message>
+        <source>empty: found by itself</source>
+        <translation>vacío: se busca solo</translation>
+    </message>
+    <message>
+        <source>Python or program</source>
+        <translation>Python o programa</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Comprobar</translation>
+    </message>
+    <message>
+        <source>Make an engine</source>
+        <translation>Crear un motor</translation>
+    </message>
+    <message>
+        <source>Makes a Python environment in your QGIS profile, about 900 MB, and installs firebreak_gis into it: from the package index (through the proxy of QGIS), or from the path of a clone or a wheel. The Python of QGIS is left alone, and an engine made before stays until the new one answers. Nothing is installed until you press the button.</source>
+        <translation>Crea un entorno de Python en su perfil de QGIS, de unos 900 MB, e instala en él firebreak_gis: desde el índice de paquetes (por el proxy de QGIS), o desde la ruta de un clon o de un wheel. El Python de QGIS no se toca, y un motor creado antes se queda hasta que el nuevo responda. No se instala nada hasta que pulse el botón.</translation>
+    </message>
+    <message>
+        <source>empty: the newest of 3.11 to 3.13 found</source>
+        <translation>vacío: el más nuevo de 3.11 a 3.13 que se encuentre</translation>
+    </message>
+    <message>
+        <source>Python to make it from</source>
+        <translation>Python con el que se crea</translation>
+    </message>
+    <message>
+        <source>A name in the index, or the path of a clone or a wheel.</source>
+        <translation>Un nombre del índice, o la ruta de un clon o de un wheel.</translation>
+    </message>
+    <message>
+        <source>Package</source>
+        <translation>Paquete</translation>
+    </message>
+    <message>
+        <source>Make engine</source>
+        <translation>Crear motor</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Firebreak settings…</source>
+        <translation>Ajustes de Firebreak…</translation>
+    </message>
+    <message>
+        <source>Firebreak</source>
+        <translation>Firebreak</translation>
+    </message>
+    <message>
+        <source>Firebreak (plan forest fire breaks)</source>
+        <translation>Firebreak (planificar cortafuegos forestales)</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parámetros</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Métodos</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Salidas</translation>
+    </message>
+</context>
+</TS>
