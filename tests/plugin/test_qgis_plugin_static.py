@@ -21,8 +21,9 @@ SOURCES = sorted(PLUGIN.rglob("*.py"))
 LARGEST_ZIP = 25 * 2**20
 PICTURES = {".svg", ".png"}
 
-sys.path.insert(0, str(PLUGIN.parent))
+sys.path[:0] = [str(PLUGIN.parent), str(Path(__file__).parent)]
 
+import collect_names  # noqa: E402
 from firebreak import forms, manifest  # noqa: E402
 
 source = pytest.mark.parametrize("path", SOURCES, ids=lambda p: p.relative_to(PLUGIN).as_posix())
@@ -90,6 +91,23 @@ def test_enums_that_qgis_4_names_anew_stand_in_one_place(path):
         r"QgsProcessing\.(SourceType|Type)|\.Flag\.Flag|ParameterNumber\.Type|RasterFileWriter\.WriterError|WktVariant"
     )
     assert path.name == "enums.py" or not re.search(old, path.read_text(encoding="utf-8"))
+
+
+#: What only later releases have, and the plugin does without.
+LATER = {"QGIS 3.22": {"layerSortKey"}, "QGIS 4": set()}
+
+
+@pytest.mark.parametrize("release", LATER)
+def test_every_name_used_is_there_in_the_oldest_qgis_and_in_qgis_4(release):
+    """Classes, enums, and methods that are called or overridden; `collect_names.py` says how the lists are made."""
+    known = json.loads((Path(__file__).with_name("qgis_names.json")).read_text(encoding="utf-8"))[release]
+    dotted, methods = collect_names.used()
+    new, old = collect_names.of_enums()
+    dotted |= new if release == "QGIS 4" else old
+    assert len(dotted) > 60
+    assert len(methods) > 100
+    assert dotted - set(known["dotted"]) == set()
+    assert methods - set(known["methods"]) == LATER[release]
 
 
 @source
