@@ -104,6 +104,8 @@ LABELS: Mapping[str, str] = {
     "by": "Times for the folder of arrival times, such as 2h,4h",
     "size_classes": "Limits of the classes of fire sizes [hectares]",
     "flame_lengths": "Flame lengths for the folder of arrival times [m]",
+    "window": "Side of the windows in which a large map is read [cells]",
+    "expected_fires": "Fires expected until the breaks have grown back",
     "export": "File with the probabilities for other tools (.mtx, .npz)",
 }
 

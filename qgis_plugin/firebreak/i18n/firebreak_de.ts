@@ -1108,6 +1108,22 @@
         <translation>Wie oft ein Stück Schneise in einem Lauf hält: ein Anteil (0.47 im Gelände), flame (nach Breite und Intensität des Feuers, Wilson 1988) oder flame:flames (1.5 Flammenlängen); Stücke haben 400 m, oder wie in 0.47:800 [sonst immer].</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m], narrower than a cell too</source>
+        <translation>Breite von Schneisen, die Linien sind [m], auch schmaler als eine Zelle</translation>
+    </message>
+    <message>
+        <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
+        <translation>Nimmt "Brandschneisen" als Linien dieser Breite, z. B. 12m, oder der Breite in dieser Spalte; sie dürfen schmaler als eine Zelle sein und halten Feuer zwischen den Zellen auf, die sie trennen [sonst nehmen Linien jede Zelle, die sie berühren].</translation>
+    </message>
+    <message>
+        <source>Side of the windows in which a large map is read [cells]</source>
+        <translation>Seite der Fenster, in denen eine große Karte gelesen wird [Zellen]</translation>
+    </message>
+    <message>
+        <source>Read the map by windows of this side (a power of two, such as 512) around each fire, larger where a fire needs it, so that maps larger than the memory can burn; the fires are the same.</source>
+        <translation>Liest die Karte in Fenstern dieser Seite (eine Zweierpotenz, z. B. 512) um jedes Feuer, größer, wo ein Feuer es braucht, damit auch Karten brennen können, die größer als der Speicher sind; die Feuer sind dieselben.</translation>
+    </message>
+    <message>
         <source>Times for the folder of arrival times, such as 2h,4h</source>
         <translation>Zeiten für den Ordner der Ankunftszeiten, z. B. 2h,4h</translation>
     </message>
@@ -1244,6 +1260,14 @@
         <translation>Anteile seiner Ausbreitungswahrscheinlichkeit, die eine behandelte Zelle behält, durch Kommas getrennt; 0 ist vollkommen.</translation>
     </message>
     <message>
+        <source>Fires expected until the breaks have grown back</source>
+        <translation>Feuer, die erwartet werden, bis die Schneisen zugewachsen sind</translation>
+    </message>
+    <message>
+        <source>Number of fires that meet the breaks before they have grown back; what breaks save in one fire counts so often when it is held against what they cost.</source>
+        <translation>Zahl der Feuer, die auf die Schneisen treffen, bevor sie zugewachsen sind; was Schneisen in einem Feuer ersparen, zählt so oft, wenn es gegen ihre Kosten gehalten wird.</translation>
+    </message>
+    <message>
         <source>The comparison on one page; opens in any browser</source>
         <translation>Der Vergleich auf einer Seite; öffnet sich in jedem Browser</translation>
     </message>
@@ -1258,6 +1282,14 @@
     <message>
         <source>Curves of the rankings, to scale</source>
         <translation>Kurven der Rangfolgen, skalierbar</translation>
+    </message>
+    <message>
+        <source>What each step of each ranking costs and saves</source>
+        <translation>Was jeder Schritt jeder Rangfolge kostet und erspart</translation>
+    </message>
+    <message>
+        <source>Saved against paid, and where the next hectare stops paying</source>
+        <translation>Erspartes gegen Bezahltes, und wo sich der nächste Hektar nicht mehr lohnt</translation>
     </message>
     <message>
         <source>Validate against a scar</source>

@@ -1108,6 +1108,22 @@
         <translation>Πόσο συχνά κρατά ένα κομμάτι ζώνης σε μια εκτέλεση: ποσοστό (0.47 στο πεδίο), flame (κατά το πλάτος και την ένταση της φωτιάς, Wilson 1988) ή flame:flames (1.5 μήκη φλόγας)· τα κομμάτια έχουν 400 m, ή όπως στο 0.47:800 [αλλιώς πάντα].</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m], narrower than a cell too</source>
+        <translation>Πλάτος των ζωνών που είναι γραμμές [m], και μικρότερο από ένα κελί</translation>
+    </message>
+    <message>
+        <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
+        <translation>Παίρνει τις "Αντιπυρικές ζώνες" ως γραμμές αυτού του πλάτους, π.χ. 12m, ή του πλάτους σε αυτή τη στήλη· μπορεί να είναι στενότερες από ένα κελί και σταματούν τη φωτιά ανάμεσα στα κελιά που χωρίζουν [αλλιώς οι γραμμές παίρνουν κάθε κελί που αγγίζουν].</translation>
+    </message>
+    <message>
+        <source>Side of the windows in which a large map is read [cells]</source>
+        <translation>Πλευρά των παραθύρων στα οποία διαβάζεται ένας μεγάλος χάρτης [κελιά]</translation>
+    </message>
+    <message>
+        <source>Read the map by windows of this side (a power of two, such as 512) around each fire, larger where a fire needs it, so that maps larger than the memory can burn; the fires are the same.</source>
+        <translation>Διαβάζει τον χάρτη σε παράθυρα αυτής της πλευράς (δύναμη του δύο, π.χ. 512) γύρω από κάθε πυρκαγιά, μεγαλύτερα όπου χρειάζεται, ώστε να καίγονται και χάρτες μεγαλύτεροι από τη μνήμη· οι πυρκαγιές είναι οι ίδιες.</translation>
+    </message>
+    <message>
         <source>Times for the folder of arrival times, such as 2h,4h</source>
         <translation>Χρόνοι για τον φάκελο των χρόνων άφιξης, π.χ. 2h,4h</translation>
     </message>
@@ -1244,6 +1260,14 @@
         <translation>Ποσοστά της πιθανότητας εξάπλωσής του που κρατά ένα κελί μετά τον χειρισμό, χωρισμένα με κόμματα· 0 είναι τέλειο.</translation>
     </message>
     <message>
+        <source>Fires expected until the breaks have grown back</source>
+        <translation>Πυρκαγιές που αναμένονται ώσπου να ξανακλείσουν οι ζώνες</translation>
+    </message>
+    <message>
+        <source>Number of fires that meet the breaks before they have grown back; what breaks save in one fire counts so often when it is held against what they cost.</source>
+        <translation>Αριθμός πυρκαγιών που συναντούν τις ζώνες πριν ξανακλείσουν· όσα σώζουν σε μία πυρκαγιά μετρούν τόσες φορές όταν συγκρίνονται με όσα κοστίζουν.</translation>
+    </message>
+    <message>
         <source>The comparison on one page; opens in any browser</source>
         <translation>Η σύγκριση σε μία σελίδα· ανοίγει σε κάθε φυλλομετρητή</translation>
     </message>
@@ -1258,6 +1282,14 @@
     <message>
         <source>Curves of the rankings, to scale</source>
         <translation>Καμπύλες των μεθόδων, διανυσματικές</translation>
+    </message>
+    <message>
+        <source>What each step of each ranking costs and saves</source>
+        <translation>Τι κοστίζει και τι σώζει κάθε βήμα κάθε μεθόδου</translation>
+    </message>
+    <message>
+        <source>Saved against paid, and where the next hectare stops paying</source>
+        <translation>Τι σώζεται έναντι του τι πληρώνεται, και πού παύει να αποδίδει το επόμενο εκτάριο</translation>
     </message>
     <message>
         <source>Validate against a scar</source>

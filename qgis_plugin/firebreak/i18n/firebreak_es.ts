@@ -1108,6 +1108,22 @@
         <translation>Con qué frecuencia aguanta un trozo de cortafuegos en una ejecución: una proporción (0.47 en el campo), flame (por anchura e intensidad del fuego, Wilson 1988) o flame:flames (1.5 longitudes de llama); los trozos tienen 400 m, o como en 0.47:800 [si no, siempre].</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m], narrower than a cell too</source>
+        <translation>Anchura de los cortafuegos que son líneas [m], también menor que una celda</translation>
+    </message>
+    <message>
+        <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
+        <translation>Toma "Cortafuegos" como líneas de esta anchura, p. ej. 12m, o de la anchura en esa columna; pueden ser más estrechas que una celda y detienen el fuego entre las celdas que separan [si no, las líneas toman cada celda que tocan].</translation>
+    </message>
+    <message>
+        <source>Side of the windows in which a large map is read [cells]</source>
+        <translation>Lado de las ventanas en que se lee un mapa grande [celdas]</translation>
+    </message>
+    <message>
+        <source>Read the map by windows of this side (a power of two, such as 512) around each fire, larger where a fire needs it, so that maps larger than the memory can burn; the fires are the same.</source>
+        <translation>Lee el mapa por ventanas de este lado (una potencia de dos, p. ej. 512) en torno a cada incendio, mayores donde un incendio lo necesita, para que puedan arder mapas mayores que la memoria; los incendios son los mismos.</translation>
+    </message>
+    <message>
         <source>Times for the folder of arrival times, such as 2h,4h</source>
         <translation>Tiempos para la carpeta de tiempos de llegada, p. ej. 2h,4h</translation>
     </message>
@@ -1244,6 +1260,14 @@
         <translation>Proporciones de su probabilidad de propagación que conserva una celda tratada, separadas por comas; 0 es perfecto.</translation>
     </message>
     <message>
+        <source>Fires expected until the breaks have grown back</source>
+        <translation>Incendios esperados hasta que los cortafuegos se hayan cerrado</translation>
+    </message>
+    <message>
+        <source>Number of fires that meet the breaks before they have grown back; what breaks save in one fire counts so often when it is held against what they cost.</source>
+        <translation>Número de incendios que encuentran los cortafuegos antes de que se cierren; lo que ahorran en un incendio cuenta tantas veces cuando se compara con lo que cuestan.</translation>
+    </message>
+    <message>
         <source>The comparison on one page; opens in any browser</source>
         <translation>La comparación en una página; se abre en cualquier navegador</translation>
     </message>
@@ -1258,6 +1282,14 @@
     <message>
         <source>Curves of the rankings, to scale</source>
         <translation>Curvas de los métodos, escalables</translation>
+    </message>
+    <message>
+        <source>What each step of each ranking costs and saves</source>
+        <translation>Lo que cuesta y ahorra cada paso de cada método</translation>
+    </message>
+    <message>
+        <source>Saved against paid, and where the next hectare stops paying</source>
+        <translation>Lo ahorrado frente a lo pagado, y dónde deja de compensar la hectárea siguiente</translation>
     </message>
     <message>
         <source>Validate against a scar</source>

@@ -1108,6 +1108,22 @@
         <translation>Combien de fois un morceau de pare-feu tient dans un passage : une part (0.47 sur le terrain), flame (selon la largeur et l'intensité du feu, Wilson 1988) ou flame:flames (1.5 longueurs de flamme) ; les morceaux ont 400 m, ou comme dans 0.47:800 [sinon toujours].</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m], narrower than a cell too</source>
+        <translation>Largeur des pare-feu qui sont des lignes [m], même moindre qu'une cellule</translation>
+    </message>
+    <message>
+        <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
+        <translation>Prend "Pare-feu" comme lignes de cette largeur, p. ex. 12m, ou de la largeur dans cette colonne ; elles peuvent être plus étroites qu'une cellule et arrêtent le feu entre les cellules qu'elles séparent [sinon les lignes prennent chaque cellule qu'elles touchent].</translation>
+    </message>
+    <message>
+        <source>Side of the windows in which a large map is read [cells]</source>
+        <translation>Côté des fenêtres dans lesquelles une grande carte est lue [cellules]</translation>
+    </message>
+    <message>
+        <source>Read the map by windows of this side (a power of two, such as 512) around each fire, larger where a fire needs it, so that maps larger than the memory can burn; the fires are the same.</source>
+        <translation>Lit la carte par fenêtres de ce côté (une puissance de deux, p. ex. 512) autour de chaque feu, plus grandes où un feu le demande, pour que des cartes plus grandes que la mémoire puissent brûler ; les feux sont les mêmes.</translation>
+    </message>
+    <message>
         <source>Times for the folder of arrival times, such as 2h,4h</source>
         <translation>Temps pour le dossier des temps d'arrivée, p. ex. 2h,4h</translation>
     </message>
@@ -1244,6 +1260,14 @@
         <translation>Parts de sa probabilité de propagation que garde une cellule traitée, séparées par des virgules ; 0 est parfait.</translation>
     </message>
     <message>
+        <source>Fires expected until the breaks have grown back</source>
+        <translation>Feux attendus jusqu'à ce que les pare-feu aient repoussé</translation>
+    </message>
+    <message>
+        <source>Number of fires that meet the breaks before they have grown back; what breaks save in one fire counts so often when it is held against what they cost.</source>
+        <translation>Nombre de feux qui rencontrent les pare-feu avant qu'ils aient repoussé ; ce qu'ils épargnent dans un feu compte autant de fois quand on le tient contre ce qu'ils coûtent.</translation>
+    </message>
+    <message>
         <source>The comparison on one page; opens in any browser</source>
         <translation>La comparaison en une page ; s'ouvre dans tout navigateur</translation>
     </message>
@@ -1258,6 +1282,14 @@
     <message>
         <source>Curves of the rankings, to scale</source>
         <translation>Courbes des méthodes, vectorielles</translation>
+    </message>
+    <message>
+        <source>What each step of each ranking costs and saves</source>
+        <translation>Ce que chaque pas de chaque méthode coûte et épargne</translation>
+    </message>
+    <message>
+        <source>Saved against paid, and where the next hectare stops paying</source>
+        <translation>L'épargné contre le payé, et où l'hectare suivant ne paie plus</translation>
     </message>
     <message>
         <source>Validate against a scar</source>

@@ -1108,6 +1108,22 @@
         <translation>Quanto spesso un pezzo di viale tiene in un'esecuzione: una quota (0.47 sul campo), flame (per larghezza e intensità del fuoco, Wilson 1988) o flame:flames (1.5 lunghezze di fiamma); i pezzi hanno 400 m, o come in 0.47:800 [altrimenti sempre].</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m], narrower than a cell too</source>
+        <translation>Larghezza dei viali che sono linee [m], anche minore di una cella</translation>
+    </message>
+    <message>
+        <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
+        <translation>Prende "Viali tagliafuoco" come linee di questa larghezza, ad es. 12m, o della larghezza in quella colonna; possono essere più strette di una cella e fermano il fuoco tra le celle che separano [altrimenti le linee prendono ogni cella che toccano].</translation>
+    </message>
+    <message>
+        <source>Side of the windows in which a large map is read [cells]</source>
+        <translation>Lato delle finestre in cui si legge una carta grande [celle]</translation>
+    </message>
+    <message>
+        <source>Read the map by windows of this side (a power of two, such as 512) around each fire, larger where a fire needs it, so that maps larger than the memory can burn; the fires are the same.</source>
+        <translation>Legge la carta per finestre di questo lato (una potenza di due, ad es. 512) intorno a ogni incendio, più grandi dove un incendio lo richiede, così che possano bruciare carte più grandi della memoria; gli incendi sono gli stessi.</translation>
+    </message>
+    <message>
         <source>Times for the folder of arrival times, such as 2h,4h</source>
         <translation>Tempi per la cartella dei tempi di arrivo, ad es. 2h,4h</translation>
     </message>
@@ -1244,6 +1260,14 @@
         <translation>Quote della sua probabilità di propagazione che una cella trattata conserva, separate da virgole; 0 è perfetto.</translation>
     </message>
     <message>
+        <source>Fires expected until the breaks have grown back</source>
+        <translation>Incendi attesi finché i viali non sono ricresciuti</translation>
+    </message>
+    <message>
+        <source>Number of fires that meet the breaks before they have grown back; what breaks save in one fire counts so often when it is held against what they cost.</source>
+        <translation>Numero di incendi che incontrano i viali prima che siano ricresciuti; ciò che risparmiano in un incendio conta altrettante volte quando lo si confronta con il loro costo.</translation>
+    </message>
+    <message>
         <source>The comparison on one page; opens in any browser</source>
         <translation>Il confronto in una pagina; si apre in ogni browser</translation>
     </message>
@@ -1258,6 +1282,14 @@
     <message>
         <source>Curves of the rankings, to scale</source>
         <translation>Curve dei metodi, scalabili</translation>
+    </message>
+    <message>
+        <source>What each step of each ranking costs and saves</source>
+        <translation>Quanto costa e risparmia ogni passo di ogni metodo</translation>
+    </message>
+    <message>
+        <source>Saved against paid, and where the next hectare stops paying</source>
+        <translation>Il risparmiato contro il pagato, e dove l'ettaro seguente non conviene più</translation>
     </message>
     <message>
         <source>Validate against a scar</source>

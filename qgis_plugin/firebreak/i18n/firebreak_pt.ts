@@ -1108,6 +1108,22 @@
         <translation>Com que frequência um trecho de aceiro segura o fogo numa execução: uma proporção (0.47 no campo), flame (pela largura e intensidade do fogo, Wilson 1988) ou flame:flames (1.5 comprimentos de chama); os trechos têm 400 m, ou como em 0.47:800 [senão, sempre].</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m], narrower than a cell too</source>
+        <translation>Largura dos aceiros que são linhas [m], também menor do que uma célula</translation>
+    </message>
+    <message>
+        <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
+        <translation>Toma "Aceiros" como linhas desta largura, p. ex. 12m, ou da largura nessa coluna; podem ser mais estreitas do que uma célula e travam o fogo entre as células que separam [senão, as linhas tomam cada célula que tocam].</translation>
+    </message>
+    <message>
+        <source>Side of the windows in which a large map is read [cells]</source>
+        <translation>Lado das janelas em que um mapa grande é lido [células]</translation>
+    </message>
+    <message>
+        <source>Read the map by windows of this side (a power of two, such as 512) around each fire, larger where a fire needs it, so that maps larger than the memory can burn; the fires are the same.</source>
+        <translation>Lê o mapa por janelas deste lado (uma potência de dois, p. ex. 512) à volta de cada incêndio, maiores onde um incêndio o precisa, para que possam arder mapas maiores do que a memória; os incêndios são os mesmos.</translation>
+    </message>
+    <message>
         <source>Times for the folder of arrival times, such as 2h,4h</source>
         <translation>Tempos para a pasta de tempos de chegada, p. ex. 2h,4h</translation>
     </message>
@@ -1244,6 +1260,14 @@
         <translation>Proporções da sua probabilidade de propagação que uma célula tratada conserva, separadas por vírgulas; 0 é perfeito.</translation>
     </message>
     <message>
+        <source>Fires expected until the breaks have grown back</source>
+        <translation>Incêndios esperados até os aceiros voltarem a crescer</translation>
+    </message>
+    <message>
+        <source>Number of fires that meet the breaks before they have grown back; what breaks save in one fire counts so often when it is held against what they cost.</source>
+        <translation>Número de incêndios que encontram os aceiros antes de voltarem a crescer; o que poupam num incêndio conta outras tantas vezes quando se compara com o que custam.</translation>
+    </message>
+    <message>
         <source>The comparison on one page; opens in any browser</source>
         <translation>A comparação numa página; abre em qualquer navegador</translation>
     </message>
@@ -1258,6 +1282,14 @@
     <message>
         <source>Curves of the rankings, to scale</source>
         <translation>Curvas dos métodos, escaláveis</translation>
+    </message>
+    <message>
+        <source>What each step of each ranking costs and saves</source>
+        <translation>O que custa e poupa cada passo de cada método</translation>
+    </message>
+    <message>
+        <source>Saved against paid, and where the next hectare stops paying</source>
+        <translation>O poupado face ao pago, e onde o hectare seguinte deixa de compensar</translation>
     </message>
     <message>
         <source>Validate against a scar</source>
