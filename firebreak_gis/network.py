@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     import xarray as xr
     from affine import Affine
 
+    #: Share of its spread probability that a treated cell keeps: one number, or one a cell (rows, cols).
+    Residual = float | np.ndarray | xr.DataArray
+
 Boundary = Literal["open", "periodic"]
 
 
@@ -161,7 +164,7 @@ class SpreadNetwork:
         """Cells that hold fuel, N_v."""
         return int(np.count_nonzero(self.burnable))
 
-    def treated(self, breaks: np.ndarray | xr.DataArray, *, residual: float = 0.0) -> SpreadNetwork:
+    def treated(self, breaks: np.ndarray | xr.DataArray, *, residual: Residual = 0.0) -> SpreadNetwork:
         """Return the network with fire breaks in it.
 
         Parameters
@@ -169,22 +172,39 @@ class SpreadNetwork:
         breaks
             (rows, cols), true where the fuel is cut.
         residual
-            Share of its probability that an edge INTO a treated cell keeps (a fuel break); 0 is a perfect break, which
-            also stops edges out of the cell (an ignition there burns nothing).
+            Share of its probability that an edge INTO a treated cell keeps (a fuel break), one number or (rows, cols);
+            0 is a perfect break, which also stops edges out of the cell (an ignition there burns nothing).
 
         Returns
         -------
         SpreadNetwork
             With the same `burnable`, so that shares still refer to the fuel before cutting.
         """
-        checked_residual(residual)
+        kept = self.kept_share(residual).astype(np.float32)
         cut = self.mask(breaks, "breaks")
         values = self.probability.copy()
         for d in range(8):
-            values[d][neighbour(cut, d, self.boundary)] *= np.float32(residual)
-        if residual == 0.0:
-            values[:, cut] = 0.0
+            into = neighbour(cut, d, self.boundary)
+            values[d][into] *= neighbour(kept, d, self.boundary)[into] if kept.ndim else kept
+        values[:, cut & (kept == 0.0)] = 0.0
         return self.derived(probability=values)
+
+    def kept_share(self, residual: Residual) -> np.ndarray:
+        """Return the share of its spread probability that a treated cell keeps, () or (rows, cols) float64.
+
+        Raises
+        ------
+        ParameterError
+            If it is not from 0 to 1, on fuel.
+        GridError
+            If it lies on another grid.
+        """
+        if isinstance(residual, (int, float)):
+            return np.array(checked_residual(residual))
+        kept = np.where(self.burnable, self.plane(residual, "residual"), 0.0).astype(np.float64)
+        if not ((kept >= 0.0) & (kept <= 1.0)).all():  # also where it is NaN
+            raise ParameterError("residual has cells with fuel outside of 0 to 1, or without a number")
+        return kept
 
     def derived(self, *, probability: np.ndarray | None = None, burnable: np.ndarray | None = None) -> SpreadNetwork:
         """Return the network with other probabilities or less fuel; boundary, grid, times and heat are carried along.

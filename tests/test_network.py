@@ -209,23 +209,26 @@ def test_raster_of_the_network_is_described(tmp_path):
 
 
 @pytest.mark.parametrize("boundary", ["open", "periodic"])
-@pytest.mark.parametrize("residual", [0.0, 0.25, 1.0])
+@pytest.mark.parametrize("residual", [0.0, 0.25, 1.0, "plane"])
 def test_treated_is_the_loop(boundary, residual):
     network = random_network(5, boundary=boundary)
+    if residual == "plane":
+        residual = np.random.default_rng(2).choice([0.0, 0.25, 1.0], network.shape)
+    kept = np.broadcast_to(residual, network.shape)
     cut = np.random.default_rng(1).random(network.shape) < 0.2
     treated = network.treated(cut, residual=residual)
     expected = {}
     for (source, target), p in edges(network).items():
         if cut[target]:
-            p = float(np.float32(p) * np.float32(residual))
-        if cut[source] and residual == 0:
+            p = float(np.float32(p) * np.float32(kept[target]))
+        if cut[source] and kept[source] == 0:
             p = 0.0
         if p > 0:
             expected[source, target] = p
     assert edges(treated) == expected
     np.testing.assert_array_equal(treated.burnable, network.burnable)
     assert treated.boundary == boundary
-    if residual == 1:
+    if (kept == 1).all():
         np.testing.assert_array_equal(treated.probability, network.probability)
 
 
@@ -240,6 +243,10 @@ def test_treated_takes_any_mask_on_the_grid():
     for wrong in (-0.1, 1.1, np.nan):
         with pytest.raises(ParameterError, match="residual"):
             network.treated(cut, residual=wrong)
+        with pytest.raises(ParameterError, match="residual has cells"):
+            network.treated(cut, residual=np.where(network.burnable, wrong, 0.0))
+    with pytest.raises(GridError, match="residual"):
+        network.treated(cut, residual=np.zeros((3, 3)))
 
 
 def test_nothing_can_be_changed_from_outside():

@@ -226,9 +226,9 @@ def hold(text: Any, option: str) -> Any:
 
 def treatments(text: Any, _option: str) -> Any:
     """Read a table of treatments, see `construction.treatments`; `default` is the built-in one."""
-    from firebreak_gis.construction.treatments import read_treatments
+    from firebreak_gis.construction.treatments import as_treatments
 
-    return read_treatments(None if str(text).strip().lower() == "default" else str(text))
+    return as_treatments(str(text))
 
 
 def containment(text: Any, option: str) -> Any:

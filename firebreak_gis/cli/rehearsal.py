@@ -151,7 +151,8 @@ def require_possible(request: PlanRequest) -> None:
     from firebreak_gis.network import checked_residual
     from firebreak_gis.planning.judging import judging
 
-    checked_residual(request.fires.residual)
+    checked_residual(request.fires.leak)
+    request.require_one_residual()
     if request.design.budget_unit == "share":
         request.design.amount.require()
     plugins.build_params(plugins.load("ranking", request.design.method), request.design.method_params)

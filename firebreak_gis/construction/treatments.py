@@ -10,8 +10,8 @@ A table of treatments is a CSV file with a line for each treatment and type of v
 an example: that clearing costs about 1,000 EUR/ha (Portugal) and work in California from 4,900 USD/ha is told in
 practice, all its other numbers are assumptions.
 
-What a segment saves is its gain, by the model of `compartments`, times 1 less its mean residual: as if that share of
-the fires that meet it passed. This is an assumption, and with many fires on a thin line an optimistic one.
+What a segment saves is its gain, by the model of `compartments`, times the share of fires that it stops, see `stops`.
+This is a model to choose by; the fires that judge a plan burn with what the treatments leave, cell by cell.
 """
 
 from __future__ import annotations
@@ -27,18 +27,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.construction.segments import Segments
 from firebreak_gis.errors import InputError
 from firebreak_gis.schema import VEGETATION
 
 if TYPE_CHECKING:
     import geopandas as gpd
-    import xarray as xr
+
+    Amount = float | np.ndarray
 
 #: What the numbers of a plan mean.
 ASSUMED = (
-    "a segment saves its gain times 1 less its residual; "
-    "the simulated fires of the plan take --residual for all segments"
+    "a segment saves its gain times exp(-m (3 p r)^w), m cells met, w wide, that keep r of p (a model, for the choice "
+    "alone); the simulated fires burn with what the chosen treatments leave"
 )
 #: What is written where nothing is allowed.
 NONE = "none"
@@ -125,6 +125,39 @@ def read_treatments(path: str | os.PathLike[str] | None = None) -> Treatments:
     return Treatments(source, rows)
 
 
+def as_treatments(given: Any) -> Treatments | None:
+    """Read a table of treatments: None, `Treatments`, "default" for the built-in one, or the name of a file."""
+    if given is None or isinstance(given, Treatments):
+        return given
+    return read_treatments(None if str(given).strip().lower() == "default" else given)
+
+
+def stops(residual: Amount, width: Amount, met: Amount, probability: float) -> np.ndarray:
+    """Share of the fires that meet a segment which it stops, by a model of thin walls that leak.
+
+    A cell beside the wall has three neighbours in it, and so lights 3 p r cells of its first row in the mean; each of
+    those does the same with the next. So m (3 p r)^w fires are expected behind a wall of w rows which m cells of fire
+    meet, and exp(-m (3 p r)^w) is the share of fires without any, were they independent. What runs along inside the
+    wall is left out.
+
+    Parameters
+    ----------
+    residual
+        Share r of its spread probability that a treated cell keeps.
+    width, met
+        w and m [cells].
+    probability
+        Mean spread probability p.
+
+    Examples
+    --------
+    >>> stops(np.array([0.0, 0.05, 0.3]), 1, 14, 0.5).round(3), stops(0.3, 3, 14, 0.5).round(2)
+    (array([1.   , 0.35 , 0.002]), 0.28)
+    """
+    behind = met * (3.0 * probability * np.asarray(residual)) ** width
+    return np.asarray(np.exp(-behind))
+
+
 def choose(cost: np.ndarray, saving: np.ndarray, target: float) -> np.ndarray:
     """Take a treatment for each segment, so that all save at least `target` for little.
 
@@ -154,65 +187,71 @@ def choose(cost: np.ndarray, saving: np.ndarray, target: float) -> np.ndarray:
     every = np.arange(len(cost))
     worth = np.where(np.isfinite(cost), saving, -np.inf)
     target = min(target, float(worth.max(axis=1).sum())) * (1 - 1e-12)
-    best = np.lexsort((-saving.T, cost.T), axis=0)[0]
-    pick = best.copy()
-    while saving[every, pick].sum() < target:
-        more = np.where(np.isfinite(cost), saving - saving[every, pick][:, np.newaxis], 0.0)
-        price = np.maximum(cost - cost[every, pick][:, np.newaxis], 1e-12)
-        ratio = np.where(more > 0, more / price, -np.inf)
-        segment, step = np.unravel_index(int(np.argmax(ratio)), ratio.shape)
-        if not ratio[segment, step] > 0:
-            break
-        pick[segment] = step
+    pick = _cheapest(cost, saving)
+    while saving[every, pick].sum() < target and _better(cost, saving, pick, np.inf):
+        pass
     for segment in np.argsort(-cost[every, pick], kind="stable"):
         spare = saving[every, pick].sum() - target
         enough = saving[segment, pick[segment]] - worth[segment] <= spare
         pick[segment] = int(np.argmin(np.where(enough, cost[segment], np.inf)))
-    choices = [pick]
-    for k in range(cost.shape[1]):
-        single = np.where(np.isfinite(cost[:, k]), k, best)
-        if saving[every, single].sum() >= target:
-            choices.append(single)
-    return min(choices, key=lambda chosen: float(cost[every, chosen].sum()))
+    choices = [single for single in singles(cost, saving) if saving[every, single].sum() >= target]
+    return min([pick, *choices], key=lambda chosen: float(cost[every, chosen].sum()))
 
 
-def with_treatments(frames: Segments, landscape: xr.Dataset, treatments: Treatments) -> Segments:
-    """Add a treatment to each segment: together they save as much as the best single one, for as little as possible.
+def spend(cost: np.ndarray, saving: np.ndarray, money: float) -> np.ndarray:
+    """Take a treatment for each segment, so that all cost at most `money` and save much.
 
-    The best single treatment saves most for its yearly cost; where it is not allowed, the cheapest that is.
+    As `choose`, but the steps to better treatments are made as long as the money lasts. Where one single treatment
+    everywhere can be paid and saves more, that is taken.
 
     Parameters
     ----------
-    frames
-        Lines and polygons, as `segments.segments_of` returns them.
-    landscape
-        With `vegetation` and `elevation`, on the grid of the segments.
-    treatments
-        The table.
+    cost, saving
+        As in `choose`.
+    money
+        At least what the cheapest treatments cost together.
 
     Returns
     -------
-    lines, polygons : geopandas.GeoDataFrame
-        With the columns `treatment`, `treatment_residual` (mean over the cells), `treatment_cost`, `treatment_yearly`
-        (in the unit of the table) and `treatment_saving`, in the unit of the gain. `none` where nothing is allowed.
+    numpy.ndarray
+        (n,) treatment of each segment.
+
+    Examples
+    --------
+    >>> cost, saving = np.array([[1.0, 9.0], [1.0, 2.0]]), np.array([[5.0, 6.0], [1.0, 8.0]])
+    >>> spend(cost, saving, 4.0).tolist(), spend(cost, saving, 11.0).tolist()
+    ([0, 1], [1, 1])
     """
-    lines, polygons = frames
-    residual, cost, yearly = _options(polygons, landscape, treatments)
-    gain = polygons["gain"].to_numpy(dtype=float)[:, np.newaxis]
-    saving = gain * (1.0 - residual)
-    allowed = np.isfinite(cost)
-    free = ~allowed.any(axis=1)
-    yearly[free, 0], saving[free, 0] = 0.0, 0.0  # a segment that cannot be treated takes part with nothing
-    pick = choose(yearly, saving, _best_single(yearly, saving)) if len(polygons) else np.zeros(0, np.int64)
-    every = np.arange(len(polygons))
-    columns: dict[str, Any] = {
-        "treatment": np.where(free, NONE, np.array(treatments.names, object)[pick]),
-        "treatment_residual": np.where(free, 1.0, residual[every, pick]),
-        "treatment_cost": np.where(free, 0.0, cost[every, pick]),
-        "treatment_yearly": yearly[every, pick],
-        "treatment_saving": saving[every, pick],
-    }
-    return Segments(lines.assign(**columns), polygons.assign(**columns))
+    every = np.arange(len(cost))
+    money *= 1 + 1e-12
+    pick = _cheapest(cost, saving)
+    while _better(cost, saving, pick, money - float(cost[every, pick].sum())):
+        pass
+    choices = [single for single in singles(cost, saving) if cost[every, single].sum() <= money]
+    return max([pick, *choices], key=lambda chosen: float(saving[every, chosen].sum()))
+
+
+def _cheapest(cost: np.ndarray, saving: np.ndarray) -> np.ndarray:
+    """Cheapest treatment of each segment; of those the one that saves most."""
+    return np.asarray(np.lexsort((-saving.T, cost.T), axis=0)[0])
+
+
+def singles(cost: np.ndarray, saving: np.ndarray) -> list[np.ndarray]:
+    """Each treatment everywhere, with the cheapest where it is not allowed."""
+    return [np.where(np.isfinite(column), k, _cheapest(cost, saving)) for k, column in enumerate(cost.T)]
+
+
+def _better(cost: np.ndarray, saving: np.ndarray, pick: np.ndarray, money: float) -> bool:
+    """Make the step to a better treatment that adds most for its cost, at most `money`; tell whether there is one."""
+    every = np.arange(len(cost))
+    price = cost - cost[every, pick][:, np.newaxis]
+    more = saving - saving[every, pick][:, np.newaxis]
+    ratio = np.where((price <= money) & (more > 0), more / np.maximum(price, 1e-12), 0.0)
+    if not ratio.size or not ratio.max() > 0:
+        return False
+    segment, step = np.unravel_index(int(np.argmax(ratio)), ratio.shape)
+    pick[segment] = step
+    return True
 
 
 def totals(polygons: gpd.GeoDataFrame) -> dict[str, dict[str, float]]:
@@ -225,52 +264,3 @@ def totals(polygons: gpd.GeoDataFrame) -> dict[str, dict[str, float]]:
             **{each: round(float(part[f"treatment_{each}"].sum()), 4) for each in ("cost", "yearly", "saving")},
         }
     return found
-
-
-def _best_single(yearly: np.ndarray, saving: np.ndarray) -> float:
-    """Saving of the single treatment that saves most for its cost, with the cheapest where it is not allowed."""
-    every = np.arange(len(yearly))
-    cheapest = np.argmin(yearly, axis=1)
-    found = []
-    for k in range(yearly.shape[1]):
-        pick = np.where(np.isfinite(yearly[:, k]), k, cheapest)
-        saved = float(saving[every, pick].sum())
-        found.append((saved / max(float(yearly[every, pick].sum()), 1e-12), saved))
-    return max(found)[1]
-
-
-def _options(
-    polygons: gpd.GeoDataFrame, landscape: xr.Dataset, treatments: Treatments
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Mean residual, cost and yearly cost of each treatment on each segment, (n, k); infinite if not allowed."""
-    from rasterio.features import rasterize
-
-    from firebreak_gis.grid import Grid
-    from firebreak_gis.kernels.terrain import horn_slope
-
-    grid = Grid.of(landscape["vegetation"])
-    n, shape = len(polygons), landscape["vegetation"].shape
-    owner = np.zeros(shape, np.int32)
-    if n:
-        owner = rasterize(
-            zip(polygons.geometry, range(1, n + 1), strict=True), shape, transform=grid.transform, dtype="int32"
-        )
-    inside = owner > 0
-    segment = owner[inside] - 1
-    codes = landscape["vegetation"].to_numpy()[inside]
-    elevation = landscape["elevation"].to_numpy().astype(np.float64)
-    slope = np.nan_to_num(horn_slope(elevation, grid.cell_size)[inside])
-    cells = np.maximum(np.bincount(segment, minlength=n), 1)
-    columns = []
-    for name in treatments.names:
-        planes = np.array([np.ones(codes.size), np.full(codes.size, np.inf), np.full(codes.size, np.inf)])
-        for code, word in VEGETATION.items():
-            row = treatments.rows.get((name, word))
-            if row is not None:
-                here = (codes == code) & (slope <= row.max_slope_deg)
-                price = grid.cell_area_ha * (row.cost_ha + row.cost_per_degree * slope[here])
-                planes[:, here] = np.array([np.full(price.size, row.residual), price, price / row.years])
-        sums = [np.bincount(segment, weights=plane, minlength=n) for plane in planes]
-        columns.append([sums[0] / cells, sums[1], sums[2]])
-    residual, cost, yearly = np.array(columns).transpose(1, 2, 0)
-    return residual, cost, yearly

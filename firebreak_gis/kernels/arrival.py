@@ -21,7 +21,7 @@ from firebreak_gis.kernels.percolation import Steps, number
 from firebreak_gis.kernels.policy import kernel
 from firebreak_gis.kernels.prefetch import prefetch
 from firebreak_gis.kernels.tally import Tally, add_run
-from firebreak_gis.kernels.walls import Walls, held_back, stands
+from firebreak_gis.kernels.walls import Walls, held_back, kept, stands
 
 #: Arrival at a cell that the fire has not reached.
 UNSEEN = np.uint64(0xFFFFFFFFFFFFFFFF)
@@ -220,7 +220,7 @@ def _burn(
                 targets[0] = cell
                 times[0] = lit_at[lit]
                 found = 1
-                if walled and walls.residual == np.float32(0) and stands(walls, run, cell):
+                if walled and kept(walls, cell) == 0.0 and stands(walls, run, cell):
                     found = 0
             lit += 1
         else:
@@ -336,8 +336,10 @@ def _throw(
         for k in range(flying.number(embers, run, step, cell, here)):
             target = flying.landing(embers, run, step, cell, here, k, rows, cols, steps.position.size > 0)
             if target != flying.NOWHERE:
-                held = walled and stands(walls, run, target)
-                if flying.lights(embers, run, here, k, target, held):
+                share = 1.0
+                if walled and stands(walls, run, target):
+                    share = kept(walls, target)
+                if flying.lights(embers, run, here, k, target, share):
                     targets[found] = target
                     times[found] = t + flying.smoulders(embers, run, here, k)
                     found += 1

@@ -43,8 +43,6 @@ class Embers(NamedTuple):
         No ember flies further [cells].
     catches
         (n_cells,) float32 probability that an ember lights the cell; 0 where there is no fuel.
-    residual
-        Share of it that a treated cell keeps where it holds.
     delay, delay_sigma
         Median [s] and sigma of the lognormal time from the burning of the cell to the new fire.
     """
@@ -58,7 +56,6 @@ class Embers(NamedTuple):
     focus: float
     longest: float
     catches: np.ndarray
-    residual: float
     delay: float
     delay_sigma: float
 
@@ -104,13 +101,10 @@ def landing(
 
 
 @kernel
-def lights(embers: Embers, run: int, here: np.uint64, k: int, target: np.uint64, held: bool) -> bool:
-    """Whether ember `k` of cell `here` of the whole map lights `target`, which may be a break that holds."""
+def lights(embers: Embers, run: int, here: np.uint64, k: int, target: np.uint64, kept: float) -> bool:
+    """Whether ember `k` of cell `here` of the whole map lights `target`, which keeps a share of its chance to burn."""
     place = here * _WORDS + np.uint64(3 + 4 * k)
-    chance = np.float64(embers.catches[target])
-    if held:
-        chance *= embers.residual
-    return uniform(embers.keys[run], place) < chance
+    return uniform(embers.keys[run], place) < np.float64(embers.catches[target]) * kept
 
 
 @kernel

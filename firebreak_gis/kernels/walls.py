@@ -27,7 +27,7 @@ class Walls(NamedTuple):
     keys
         (n_runs,) uint64 from `draws.run_keys`.
     residual
-        Share of its spread probability that a cell keeps where it holds.
+        (n_cells,) float64 share of its spread probability that a cell keeps where it holds; (1,) if all keep alike.
     probability
         (8, n_cells) float32 of the network without breaks.
     crossed
@@ -40,7 +40,7 @@ class Walls(NamedTuple):
     holds: np.ndarray
     stretch: np.ndarray
     keys: np.ndarray
-    residual: np.float32
+    residual: np.ndarray
     probability: np.ndarray
     crossed: np.ndarray
     line_holds: np.ndarray
@@ -69,14 +69,20 @@ def parted(walls: Walls, run: int, cell: np.uint64, target: np.uint64, d: int) -
     return result
 
 
+@inlined
+def kept(walls: Walls, cell: np.uint64) -> float:
+    """Share of its spread probability that a treated cell keeps where it holds."""
+    return walls.residual[cell if walls.residual.size > 1 else np.uint64(0)]
+
+
 @kernel
 def held_back(
     walls: Walls, run: int, key: np.uint64, steps: Steps, position: np.uint8, cell: np.uint64, opened: np.uint64
 ) -> np.uint64:
     """What is left of the open edges of a cell once the breaks beside it have done their work.
 
-    The probability of an edge into a cell that holds, or across a line that does, is multiplied by `residual`; the
-    draw stays the same.
+    The probability of an edge into a cell that holds, or across a line that does, is multiplied by what the cell keeps;
+    the draw stays the same.
     """
     for d in range(8):
         bit = np.uint64(8 * d + 7)
@@ -85,8 +91,9 @@ def held_back(
         target = cell + steps.offsets[position, d]
         if stands(walls, run, target) or parted(walls, run, cell, target, d):
             passes = False
-            if walls.residual > np.float32(0):
-                left = np.float32(walls.probability[d, cell] * walls.residual)
+            share = np.float32(kept(walls, target))
+            if share > np.float32(0):
+                left = np.float32(walls.probability[d, cell] * share)
                 passes = below(edge_draw(key, number(steps, cell), np.uint64(d)), digits_of(np.float64(left)))
             if not passes:
                 opened &= ~(_ONE << bit)

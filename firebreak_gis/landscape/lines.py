@@ -14,13 +14,13 @@ import numpy as np
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.footprints import in_cells
-from firebreak_gis.network import checked_residual
+from firebreak_gis.network import neighbour
 
 if TYPE_CHECKING:
     import geopandas as gpd
 
     from firebreak_gis.landscape.planes import Source
-    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.network import Residual, SpreadNetwork
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,13 +54,14 @@ class LineBreaks:
         """Return the breaks on a window of the grid."""
         return LineBreaks(self.lines, self.crossed[rows, cols], self.width[rows, cols], grid)
 
-    def parted(self, network: SpreadNetwork, *, residual: float = 0.0) -> SpreadNetwork:
-        """Return a network with the lines in it: a crossed edge keeps the share `residual` of its probability."""
-        checked_residual(residual)
+    def parted(self, network: SpreadNetwork, *, residual: Residual = 0.0) -> SpreadNetwork:
+        """Return a network with the lines in it: an edge across keeps `residual`, the share of the cell it leads to."""
+        kept = np.broadcast_to(network.kept_share(residual).astype(np.float32), network.shape)
         network.grid.require(self.grid, "the lines")
         values = network.probability.copy()
         for d in range(8):
-            values[d][(self.crossed >> d) & 1 > 0] *= np.float32(residual)
+            across = (self.crossed >> d) & 1 > 0
+            values[d][across] *= neighbour(kept, d, network.boundary)[across]
         return network.derived(probability=values)
 
 

@@ -50,18 +50,34 @@ class Judging:
         Of which each run draws one, or None.
     sky
         The wind or the weathers in words; empty if nothing is known.
-    assumptions
-        What the numbers rest on, sentences.
+    assumed
+        What nobody said, in words.
     notes
         What should be known of it, such as that the spread model tells no times.
+    hectares
+        Treated by each treatment, by name; empty if all breaks are alike.
     """
 
     fires: FireRequest
     clock: bool
     weather: Weather | None
     sky: str
-    assumptions: tuple[str, ...]
+    assumed: tuple[str, ...]
     notes: tuple[str, ...] = ()
+    hectares: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What the numbers rest on, sentences."""
+        told = [*self.fires.assumptions]
+        if self.fires.timeless and not self.fires.leaks:
+            told.append("breaks hold in every fire")
+        if self.hectares:
+            told.append("segments are treated by " + ", ".join(f"{k} ({v:,.4g} ha)" for k, v in self.hectares.items()))
+        told.append(self.sky)
+        if self.assumed:
+            told.append(f"{' and '.join(self.assumed)} {'is' if len(self.assumed) == 1 else 'are'} assumed, not known")
+        return tuple(_sentence(words) for words in told if words)
 
     @property
     def reburnt(self) -> bool:
@@ -136,14 +152,8 @@ def judging(
             "the network tells no times, so fires burn until they end by themselves and breaks hold unless --hold says "
             "otherwise; these numbers promise too much"
         )
-    told = [_sentence(words) for words in fires.assumptions]
-    if fires.timeless and not fires.residual:
-        told.append("Breaks hold in every fire.")
     sky = wind if weather is None else _weather_told(weather)
-    told.append(_sentence(sky))
-    if assumed:
-        told.append(_sentence(" and ".join(assumed) + (" is" if len(assumed) == 1 else " are") + " assumed, not known"))
-    return Judging(fires, clock, weather, sky, tuple(filter(None, told)), tuple(notes))
+    return Judging(fires, clock, weather, sky, tuple(assumed), tuple(notes))
 
 
 def headline(summary: Mapping[str, Any], judged: Judging) -> list[str]:
@@ -309,4 +319,4 @@ def _weather_told(weather: Weather) -> str:
 
 
 def _sentence(words: str) -> str:
-    return words and words[0].upper() + words[1:] + "."
+    return words[0].upper() + words[1:] + "."

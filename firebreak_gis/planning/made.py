@@ -11,7 +11,6 @@ import numpy as np
 from firebreak_gis.breaks import break_polygons
 from firebreak_gis.construction.compartments import compartments_of
 from firebreak_gis.construction.segments import Segments, segments_of
-from firebreak_gis.construction.treatments import with_treatments
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.planning.feasibility import Feasibility
@@ -24,6 +23,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
+    from firebreak_gis.construction.treating import Treated
     from firebreak_gis.network import SpreadNetwork
 
 
@@ -56,6 +56,8 @@ class Plan:
         Share of the cells with fuel that is cut.
     feasibility
         What could be reached.
+    treated
+        The segments, where each has a treatment, and what they leave; None where all cells are treated alike.
     """
 
     landscape: xr.Dataset
@@ -71,6 +73,7 @@ class Plan:
     request: PlanRequest
     share: float
     feasibility: Feasibility
+    treated: Treated | None = None
 
     def __repr__(self) -> str:
         return f"<Plan by {self.request.design.method}: cuts {self.share:.3g} of the fuel of {self.network!r}>"
@@ -107,7 +110,9 @@ class Plan:
     @cached_property
     def segments(self) -> Segments:
         """Middle lines and outlines of what is to be built, in order, see `segments.segments`."""
-        found = segments_of(
+        if self.treated is not None:
+            return self.treated.segments
+        return segments_of(
             self.network,
             self.breaks,
             priority=self.priority,
@@ -116,8 +121,6 @@ class Plan:
             value=self.stakes.value,
             ignition=self.stakes.ignition,
         )
-        table = self.request.design.treatments
-        return found if table is None else with_treatments(found, self.landscape, table)
 
     @cached_property
     def compartments(self) -> gpd.GeoDataFrame:
@@ -148,6 +151,13 @@ class Plan:
         return pd.DataFrame(columns)
 
     @property
+    def _cost(self) -> float:
+        """What the plan costs at once: the treatments chosen, or what cutting its cells does."""
+        if self.treated is not None:
+            return float(self.treated.segments.polygons["treatment_cost"].sum())
+        return float(self.stakes.cost[self.breaks.to_numpy() > 0].sum())
+
+    @property
     def cut_classes(self) -> dict[str, dict[str, dict[str, float]]]:
         """By layer and class: its share of the cut cells, and of all fuel, which is what random cutting takes.
 
@@ -169,7 +179,7 @@ class Plan:
             "burnable_ha": round(n_burnable * area, 4),
             "cells_cut": int(np.count_nonzero(cut)),
             "ha_cut": round(int(np.count_nonzero(cut)) * area, 4),
-            "cost": float(self.stakes.cost[cut].sum()),
+            "cost": self._cost,
             "burnt_share_without_breaks": float(before.mean() / n_burnable),
             "burnt_share_with_breaks": float(after.mean() / n_burnable),
             "burnt_share_with_breaks_p90": float(np.percentile(after, 90) / n_burnable),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.breaks import BudgetUnit, select_breaks
+from firebreak_gis.construction.treatments import as_treatments, totals
 from firebreak_gis.evaluation.curves import evaluate_fires
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.planning.budgets import default_budgets, few_budgets, reachable
@@ -18,6 +19,7 @@ from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_i
 from firebreak_gis.planning.judging import Scene
 from firebreak_gis.planning.made import Plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
+from firebreak_gis.planning.treating import offers_of, priced, treat
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
@@ -55,6 +57,7 @@ def plan(
     ignition: Plane | None = None,
     width: float | None = None,
     residual: float = 0.0,
+    treatments: Any = None,
     hold: Any = None,
     barriers_hold: float = 1.0,
     duration: Any = None,
@@ -95,6 +98,10 @@ def plan(
     residual
         Share of its spread probability that a treated cell keeps; 0 is a perfect break. Methods that know it choose
         the width of their walls for it.
+    treatments
+        Table from which each segment gets a treatment in place of one residual: the name of a file, "default", or what
+        `construction.treatments.read_treatments` returns. Nothing is cut where no treatment is allowed, a budget in
+        money is what the treatments cost, and the fires burn with what they leave.
     hold, duration, embers, containment
         How often a stretch of break holds, how long fires burn, whether embers fly, and when crews contain fires, as in
         `simulate`. Where nothing is said fires burn 8 h in the median and breaks hold in 0.47 of fires
@@ -139,7 +146,9 @@ def plan(
     (2, True)
     """
     request = PlanRequest(
-        design=DesignRequest(method, method_params or {}, budget, budget_unit, width, refine),
+        design=DesignRequest(
+            method, method_params or {}, budget, budget_unit, width, refine, as_treatments(treatments)
+        ),
         spread=SpreadRequest(model, model_params or {}),
         fires=FireRequest(
             ignitions,
@@ -185,9 +194,12 @@ def make_plan(
     """
     asked, fires = request.design, request.fires
     account = Account()
+    request.require_one_residual()
     scene = Scene.of(landscape, request.spread, request.weather.read(), account)
     landscape = account.added_to(landscape)
-    network, stakes = planes.on(scene.network)
+    offers = None if asked.treatments is None else offers_of(landscape, asked.treatments, scene.network)
+    leak = fires.leak if offers is None else offers.residual
+    network, stakes = (planes if offers is None else priced(planes, offers, asked.amount)).on(scene.network)
     if planes.ignition is not None and fires.ignitions is None:
         fires = replace(fires, ignitions=stakes.ignition)
     judged = scene.judging(fires, timeless=request.timeless)
@@ -203,7 +215,7 @@ def make_plan(
         stakes,
         budget=asked.amount,
         width=asked.width,
-        residual=fires.residual,
+        residual=leak,
         refine=asked.refine,
         ignitions=start,
     )
@@ -218,7 +230,7 @@ def make_plan(
         asked.method,
         stakes=stakes,
         budget=asked.amount,
-        residual=fires.residual,
+        residual=leak,
         refine=asked.refine,
         width=width_in_cells(asked.width, network.grid.cell_size),
         params=asked.method_params,
@@ -228,6 +240,11 @@ def make_plan(
         progress=part(progress, 0.05, 0.35, f"rank by {asked.method}: "),
     )
     breaks = select_breaks(priority, budget=asked.amount, burnable=network.burnable, cost=stakes.cost)
+    treated = None if offers is None else treat(offers, network, stakes, breaks, priority, asked.amount)
+    if treated is not None:
+        fires = replace(fires, residual=treated.residual)
+        done = totals(treated.segments.polygons)
+        judged = replace(judged, fires=fires, hectares={name: row["area_ha"] for name, row in done.items()})
     ground = scene.ground(judged, network, planes.barriers)
     burnt = partial(
         burn,
@@ -264,5 +281,18 @@ def make_plan(
             progress=part(progress, 0.8, 1.0, "evaluate with a clock: "),
         )
     return Plan(
-        landscape, network, stakes, priority, breaks, before, after, evaluation, paper, judged, request, share, found
+        landscape,
+        network,
+        stakes,
+        priority,
+        breaks,
+        before,
+        after,
+        evaluation,
+        paper,
+        judged,
+        request,
+        share,
+        found,
+        treated,
     )

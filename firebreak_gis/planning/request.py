@@ -15,6 +15,7 @@ from typing import Any
 
 from firebreak_gis.breaks import Budget, BudgetUnit
 from firebreak_gis.construction.treatments import Treatments
+from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
@@ -80,6 +81,17 @@ class PlanRequest:
     timeless: bool = False
     layers: LandscapeRequest | None = None
     output: OutputRequest | None = None
+
+    def require_one_residual(self) -> None:
+        """Refuse a residual beside a table of treatments.
+
+        Raises
+        ------
+        ParameterError
+            If both are asked.
+        """
+        if self.design.treatments is not None and self.fires.leaks:
+            raise ParameterError("the table of treatments tells what treated cells keep; leave --residual out")
 
     @property
     def sources(self) -> tuple[str, ...]:

@@ -130,7 +130,7 @@ def nothing_flies(keys: np.ndarray) -> Flying:
     from firebreak_gis.kernels.embers import Embers as Flying
 
     none = np.zeros((1, 0), np.float32)
-    return Flying(keys, none, none, none, none, 0.0, 0.0, 0.0, none[0], 0.0, 0.0, 0.0)
+    return Flying(keys, none, none, none, none, 0.0, 0.0, 0.0, none[0], 0.0, 0.0)
 
 
 def what_flies(
@@ -140,7 +140,6 @@ def what_flies(
     *,
     times: Sequence[np.ndarray],
     winds: Sequence[tuple[float, float]],
-    residual: float,
 ) -> Flying:
     """What the kernel is given of the embers.
 
@@ -156,8 +155,6 @@ def what_flies(
         Travel times (8, rows, cols) under the weather of each step.
     winds
         Wind speed [m/s] and the direction that it comes from [degrees] in each step.
-    residual
-        Share of its chance to catch fire that a treated cell keeps where it holds.
     """
     from firebreak_gis.kernels.embers import Embers as Flying
 
@@ -183,7 +180,6 @@ def what_flies(
         embers.focus,
         embers.longest / size,
         catches.astype(np.float32).ravel(),
-        residual,
         embers.delay,
         embers.delay_sigma,
     )

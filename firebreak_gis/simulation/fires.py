@@ -16,7 +16,6 @@ import numpy as np
 
 from firebreak_gis.breaks import Budget, removal_order, require_priority
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.network import checked_residual
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.schema import annotate
 from firebreak_gis.simulation.containment import as_containment
@@ -35,7 +34,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from firebreak_gis.landscape.lines import LineBreaks
-    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.network import Residual, SpreadNetwork
     from firebreak_gis.simulation.weather import Weather, WeatherNetworks
 
 
@@ -43,7 +42,7 @@ def simulate(
     network: SpreadNetwork,
     *,
     breaks: np.ndarray | xr.DataArray | LineBreaks | None = None,
-    residual: float = 0.0,
+    residual: Residual = 0.0,
     value: np.ndarray | xr.DataArray | None = None,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
@@ -72,7 +71,7 @@ def simulate(
         (y, x), above 0 where the fuel is cut; or lines with a width, from `line_breaks`. Ignitions are drawn before
         cutting; one that falls on a cut cell burns nothing.
     residual
-        Share of its spread probability that a treated cell keeps; 0 is a perfect break.
+        Share of its spread probability that a treated cell keeps, one number or (y, x); 0 is a perfect break.
     value
         (y, x) value lost when the cell burns, finite and >= 0 on fuel; then the result holds `value_lost`.
     ignitions, ignition_mode, ignition_times
@@ -180,7 +179,7 @@ def burn(
     progress: Progress | None = None,
 ) -> xr.Dataset:
     """Burn the network as a request says; all else as in `simulate`."""
-    checked_residual(request.residual)
+    network.kept_share(request.residual)  # refused before anything burns
     start = resolved(network, request, first_run=first_run)
     worth = None if value is None else checked_amounts(network, value, "value").ravel()
     plain = request.timeless and weather is None and barriers is None

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from firebreak_gis.kernels.walls import Walls
-    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.network import Residual, SpreadNetwork
     from firebreak_gis.simulation.window import Window
 
 #: Share of encounters that hold in the field, see the text of the module.
@@ -269,7 +269,7 @@ def build_walls(
     keys: np.ndarray,
     *,
     breaks: np.ndarray | xr.DataArray | LineBreaks | None,
-    residual: float,
+    residual: Residual,
     hold: Hold,
     barriers: np.ndarray | xr.DataArray | None = None,
     barriers_hold: float = 1.0,
@@ -287,7 +287,7 @@ def build_walls(
     breaks
         (y, x), above 0 where the fuel is cut; or lines; or None.
     residual
-        Share of its spread probability that a treated cell keeps where it holds.
+        Share of its spread probability that a treated cell keeps where it holds, one number or (y, x).
     hold
         How the breaks hold.
     barriers
@@ -304,9 +304,10 @@ def build_walls(
 
     n_cells = network.burnable.size
     probability = network.probability.reshape(8, n_cells)
+    kept = network.kept_share(residual).ravel()
     none, no_links = np.zeros(0, np.uint32), np.zeros(0, np.uint8)
     if breaks is None and barriers is None:
-        return Walls(np.zeros(0, bool), none, none, keys, np.float32(residual), probability, no_links, none)
+        return Walls(np.zeros(0, bool), none, none, keys, kept, probability, no_links, none)
     near = np.zeros(network.shape, bool)
     chance = np.zeros(network.shape)
     crossed, line_holds = no_links, none
@@ -325,7 +326,7 @@ def build_walls(
     holds = _digits(chance)
     for d in range(8):
         near |= neighbour(holds.reshape(network.shape) > 0, d, network.boundary)
-    return Walls(near.ravel(), holds, stretch.ravel(), keys, np.float32(residual), probability, crossed, line_holds)
+    return Walls(near.ravel(), holds, stretch.ravel(), keys, kept, probability, crossed, line_holds)
 
 
 def _digits(chance: np.ndarray) -> np.ndarray:

@@ -11,9 +11,12 @@ import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
+import numpy as np
+
 from firebreak_gis.simulation.holding import Hold
 
 if TYPE_CHECKING:
+    from firebreak_gis.network import Residual
     from firebreak_gis.simulation.containment import Containment
     from firebreak_gis.simulation.durations import Duration
     from firebreak_gis.simulation.embers import Embers
@@ -41,7 +44,7 @@ class FireRequest:
     seed
         Seed of all draws.
     residual
-        Share of its spread probability that a treated cell keeps; 0 is a perfect break.
+        Share of its spread probability that a treated cell keeps, one number or (rows, cols); 0 is a perfect break.
     duration
         How long fires burn; None: until they end by themselves.
     hold
@@ -62,7 +65,7 @@ class FireRequest:
     ignition_mode: IgnitionMode = "each"
     n_runs: int = 100
     seed: int = 0
-    residual: float = 0.0
+    residual: Residual = 0.0
     duration: Duration | None = None
     hold: Hold | None = None
     barriers_hold: float = 1.0
@@ -92,6 +95,21 @@ class FireRequest:
         return None if self.containment is None or self.containment.endless else self.containment
 
     @property
+    def leak(self) -> float:
+        """What treated cells keep in the mean, which designs are told."""
+        return float(np.nanmean(self.residual))
+
+    @property
+    def leaks(self) -> bool:
+        """Whether treated cells keep something of their spread probability."""
+        return bool(np.any(self.residual))
+
+    @property
+    def _kept(self) -> str:
+        least, most = float(np.nanmin(self.residual)), float(np.nanmax(self.residual))
+        return f"{least:.3g}" if least == most else f"{least:.3g} to {most:.3g}, cell by cell,"
+
+    @property
     def _endless(self) -> bool:
         """Whether all fires end by themselves."""
         return (self.duration is None or self.duration.endless) and self.crews is None
@@ -103,7 +121,7 @@ class FireRequest:
         told += [self.crews.told()] if self.crews else []
         told += [self.holding.told()] if not self.holding.perfect else []
         told += [f"barriers hold in {self.barriers_hold:.3g} of fires"] if self.barriers_hold < 1 else []
-        told += [f"breaks that hold keep {self.residual:.3g} of the spread probability"] if self.residual else []
+        told += [f"breaks that hold keep {self._kept} of the spread probability"] if self.leaks else []
         return told + ([self.embers.told()] if self.embers else [])
 
     @property

@@ -173,7 +173,6 @@ def burn_timed(
                 keys["embers"],
                 times=group.times,
                 winds=group.winds or [wind_of(request.embers, group.network)],
-                residual=request.residual,
             )
         clock, span = clock_of(group, longest, embers=request.embers is not None)
         given = (laid.thresholds(group), keys["edges"], grid_steps, clock, starts, walls, flying)

@@ -61,15 +61,15 @@ def burn_all(
     from firebreak_gis.kernels.lanes import burn_block
     from firebreak_gis.kernels.percolation import burn_runs
 
-    n_runs, seed, residual = request.n_runs, request.seed, request.residual
+    n_runs, seed = request.n_runs, request.seed
     cells = start.cells
     burnt_network = network
     if isinstance(breaks, LineBreaks):
-        burnt_network = breaks.parted(network, residual=residual)
+        burnt_network = breaks.parted(network, residual=request.residual)
     elif breaks is not None:
-        burnt_network = network.treated(breaks, residual=residual)
-        if residual == 0.0:
-            cells = np.where(network.mask(breaks, "breaks").ravel()[cells], -1, cells)
+        burnt_network = network.treated(breaks, residual=request.residual)
+        perfect = network.mask(breaks, "breaks") & (network.kept_share(request.residual) == 0.0)
+        cells = np.where(perfect.ravel()[cells], -1, cells)
     fires = _Fires(burnt_network, start.starts, cells, n_runs=n_runs, first_run=start.first_run, seed=seed)
     counts = np.zeros(network.burnable.size, np.uint32)
     sizes = np.zeros(n_runs, np.int64)

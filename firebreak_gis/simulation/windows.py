@@ -235,7 +235,9 @@ class _Work:
         runs, side = batch
         window, start = self._window(runs, side)
         ground, breaks = self._source.read(window)
-        embers = self._request.embers
+        request, embers = self._request, self._request.embers
+        if np.ndim(request.residual):
+            request = replace(request, residual=np.asarray(request.residual)[window.slices])
         reach = 1 if embers is None else int(embers.longest / ground.network.grid.cell_size) + 2
         fires: dict[str, Any] = {
             "breaks": breaks,
@@ -247,11 +249,11 @@ class _Work:
         }
         ends, left = self._limits, runs
         if self._request.crews is not None:
-            contained, far = containment(ground.network, self._request, start, self._limits, chosen=runs, **fires)
+            contained, far = containment(ground.network, request, start, self._limits, chosen=runs, **fires)
             ends, left = np.minimum(self._limits, contained), runs[~far[runs]]
         tally = burn_timed(
             ground.network,
-            self._request,
+            request,
             start,
             ends,
             value=None,

@@ -82,11 +82,12 @@ def test_without_an_end_the_fires_are_those_without_a_clock(boundary):
         assert ((told["arrival"] != NEVER).sum("run").astype(np.uint32) == plain["burn_count"]).all()
 
 
-@pytest.mark.parametrize("residual", [0.0, 0.4])
+@pytest.mark.parametrize("residual", [0.0, 0.4, "plane"])
 def test_breaks_and_failing_stretches_are_those_of_the_twin(residual):
     network = random_network(6)
     random = np.random.default_rng(3)
     cut = random.random(network.shape) < 0.35
+    residual = np.random.default_rng(4).choice([0.0, 0.4, 1.0], network.shape) if residual == "plane" else residual
     cell = int(np.flatnonzero(network.burnable & ~cut)[20])
     keys, holding = draws.run_keys(1, "edges", 50), draws.run_keys(1, "hold", 50)
     from firebreak_gis.simulation.holding import Hold

@@ -72,11 +72,10 @@ def test_embers_are_those_of_the_twin():
     cell = int(np.flatnonzero(network.burnable & ~cut)[100])
     keys = {purpose: draws.run_keys(3, purpose, 40) for purpose in ("edges", "embers")}
     given = {"ignitions": at(network, *divmod(cell, 22)), "n_runs": 40, "seed": 3, "duration": 3000, "products": EACH}
-    for residual in (0.0, 0.5):
+    plane = np.random.default_rng(6).choice([0.0, 0.3, 0.9], network.shape)
+    for residual in (0.0, 0.5, plane):
         burns = simulate(network, breaks=cut, residual=residual, embers=WINDY, **given)
-        flying = what_flies(
-            WINDY, network, keys["embers"], times=[network.travel_time], winds=[(8.0, 300.0)], residual=residual
-        )
+        flying = what_flies(WINDY, network, keys["embers"], times=[network.travel_time], winds=[(8.0, 300.0)])
         spots = 0
         for run in range(40):
             fire = Fire(
@@ -160,7 +159,7 @@ def test_runs_under_a_weather_are_those_of_the_twin(changing):
 @pytest.mark.parametrize(
     "hold", [Hold(1.0), Hold(0.5, length=60.0), Hold(share=None, length=100.0), Hold(None, 100.0, "flames")]
 )
-@pytest.mark.parametrize("residual", [0.0, 0.3])
+@pytest.mark.parametrize("residual", [0.0, 0.3, np.random.default_rng(1).random((17, 22)).round()])
 def test_more_cut_never_burns_any_cell_earlier(hold, residual):
     networks = ensemble(8, changing=False)
     network = networks[0].network

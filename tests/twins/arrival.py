@@ -61,7 +61,7 @@ class Fire:
     parted
         Pairs of cells, the lower number first, between which a line holds in the run.
     residual
-        What they keep of their probability.
+        What they keep of their probability: a number, or one a cell.
     embers, ember_key
         The kernel's `Embers` as plain arrays, and the key of the run for them.
     """
@@ -73,14 +73,14 @@ class Fire:
     limit: float = math.inf
     stands: frozenset[int] = frozenset()
     parted: frozenset[tuple[int, int]] = frozenset()
-    residual: float = 0.0
+    residual: float | np.ndarray = 0.0
     embers: object = None
     ember_key: int = 0
 
     def burn(self, ignitions: dict[int, int]) -> dict[int, int]:
         """Arrival time of every burnt cell, from cells and the times at which they are lit."""
         arrival: dict[int, int] = {}
-        heap = [(t, c) for c, t in ignitions.items() if c >= 0 and not (c in self.stands and self.residual == 0)]
+        heap = [(t, c) for c, t in ignitions.items() if c >= 0 and not (c in self.stands and self._kept(c) == 0)]
         heapq.heapify(heap)
         while heap:
             t, cell = heapq.heappop(heap)
@@ -92,6 +92,9 @@ class Fire:
                     heapq.heappush(heap, (int(when), target))
         return arrival
 
+    def _kept(self, cell: int) -> float:
+        return float(np.broadcast_to(self.residual, self.network.shape).flat[cell])
+
     def _edges(self, cell: int, t: int):
         rows, cols = self.network.shape
         row, col = divmod(cell, cols)
@@ -99,7 +102,7 @@ class Fire:
             target = ((row + down) % rows) * cols + (col + right) % cols
             p = self.network.probability[d, row, col]
             if target in self.stands or (min(cell, target), max(cell, target)) in self.parted:
-                p = np.float32(p * np.float32(self.residual))
+                p = np.float32(p * np.float32(self._kept(target)))
             if p > 0 and is_open(self.key, cell, d, float(p)):
                 yield across(t, [int(each[d, row, col]) for each in self.times], self.starts), target
 
@@ -128,6 +131,6 @@ class Fire:
                 row, col = row % rows, col % cols
             if 0 <= row < rows and 0 <= col < cols:
                 target = row * cols + col
-                chance = float(e.catches[target]) * (self.residual if target in self.stands else 1.0)
+                chance = float(e.catches[target]) * (self._kept(target) if target in self.stands else 1.0)
                 if uniform(key, at + 2) < chance:
                     yield t + max(60, round(e.delay * math.exp(e.delay_sigma * normal(key, at + 3)))), target

@@ -41,7 +41,8 @@ STEP = 1
     type=kinds.TREATMENTS,
     metavar="FILE|default",
     help="Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or "
-    "default: each segment gets the one that saves most for its cost [default: all segments alike, by --residual].",
+    "default: each segment gets the one that saves most for its cost, a budget in cost is what they cost, and fires "
+    "burn with what they leave [default: all segments alike, by --residual].",
 )
 @stakes_options.stakes
 @filters.where

@@ -58,7 +58,7 @@ def command(
     untouched = read_network(network)
     planes, _ = read_stakes(at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions)
     barred, placed = planes.on(untouched)
-    found = feasibility(barred, placed, budget=asked.amount, width=asked.width, residual=fires.residual)
+    found = feasibility(barred, placed, budget=asked.amount, width=asked.width, residual=fires.leak)
     found.require()
     for sentence in found.warnings:
         session.warn(sentence)
@@ -67,7 +67,7 @@ def command(
         asked.method,
         stakes=placed,
         budget=asked.amount,
-        residual=fires.residual,
+        residual=fires.leak,
         width=width_in_cells(asked.width, barred.grid.cell_size),
         params=asked.method_params,
         elevation=ridges(dem, barred.grid),
