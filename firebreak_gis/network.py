@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from firebreak_gis.errors import GridError, InputError, ParameterError
+from firebreak_gis.errors import GridError, InputError, MissingComponentError, ParameterError
 from firebreak_gis.grid import UNREFERENCED, Grid, parse_crs
 from firebreak_gis.lattice import COL_STEP, DIRECTIONS, LONGEST, NEVER, OPPOSITE, ROW_STEP
 
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     import xarray as xr
     from affine import Affine
 
-    #: Share of its spread probability that a treated cell keeps: one number, or one a cell (rows, cols).
     Residual = float | np.ndarray | xr.DataArray
 
 Boundary = Literal["open", "periodic"]
@@ -190,17 +189,9 @@ class SpreadNetwork:
         return self.derived(probability=values)
 
     def kept_share(self, residual: Residual) -> np.ndarray:
-        """Return the share of its spread probability that a treated cell keeps, () or (rows, cols) float64.
-
-        Raises
-        ------
-        ParameterError
-            If it is not from 0 to 1, on fuel.
-        GridError
-            If it lies on another grid.
-        """
-        if isinstance(residual, (int, float)):
-            return np.array(checked_residual(residual))
+        """Return what treated cells keep, () or (rows, cols) float64; refused if not from 0 to 1 on fuel."""
+        if isinstance(residual, (int, float, np.floating)):
+            return np.array(checked_residual(float(residual)))
         kept = np.where(self.burnable, self.plane(residual, "residual"), 0.0).astype(np.float64)
         if not ((kept >= 0.0) & (kept <= 1.0)).all():  # also where it is NaN
             raise ParameterError("residual has cells with fuel outside of 0 to 1, or without a number")
@@ -319,8 +310,6 @@ class SpreadNetwork:
         try:
             import networkx as nx
         except ImportError as error:
-            from firebreak_gis.errors import MissingComponentError
-
             raise MissingComponentError("networkx is not installed; pip install networkx") from error
         graph = nx.DiGraph()
         cols = self.shape[1]
@@ -332,10 +321,7 @@ class SpreadNetwork:
         return graph
 
     def to_raster(self) -> xr.DataArray:
-        """Return the probabilities as a DataArray (direction, y, x) with CRS, NaN where there is no fuel.
-
-        Times and heat, where there are any, are in `to_dataset`.
-        """
+        """Return the probabilities as a DataArray (direction, y, x) with CRS, NaN where there is no fuel."""
         from firebreak_gis.schema import annotate
 
         values = np.where(self.burnable, self.probability, np.float32(np.nan))
