@@ -42,6 +42,10 @@ FIRES = {
     "short": {"duration": as_duration("1h")},
     "drawn": {"duration": as_duration("lognormal:1h,0.7"), "hold": as_hold("0.5:100")},
     "leaky": {"duration": as_duration("2h"), "residual": 0.2, "hold": as_hold("0.5:70")},
+    "leaky here and there": {
+        "duration": as_duration("2h"),
+        "residual": np.random.default_rng(3).choice([0.0, 0.3, 1.0], (150, 171)),
+    },
     "embers": {
         "duration": as_duration("1h"),
         "embers": as_embers("rate=500,longest=400,wind_speed=8,wind_from_direction=290"),
