@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,6 +29,8 @@ class StakePlanes:
         As in `Stakes`.
     unpriced
         (rows, cols), true where cutting has no known cost, so that nothing is cut.
+    objectives
+        By name, (rows, cols) each: what is at risk, unweighted, of which `value` is the weighted sum.
     """
 
     barriers: Plane | None = None
@@ -37,6 +40,7 @@ class StakePlanes:
     ignition: Plane | None = None
     difficulty: Plane | None = None
     unpriced: np.ndarray | None = None
+    objectives: Mapping[str, Plane] = field(default_factory=dict)
 
     def roads(self, network: SpreadNetwork) -> np.ndarray | None:
         """(rows, cols) float64, 1 on a barrier, for methods that follow roads; None where none are given."""
@@ -136,6 +140,19 @@ class Stakes:
         for name, plane in (*planes.items(), ("protected", kept.copy())):
             plane.flags.writeable = False
             object.__setattr__(self, name, plane)
+
+    def with_ignition(self, network: SpreadNetwork, ignition: Plane) -> Stakes:
+        """The same stakes on the same network with fires that start elsewhere; priced costs stay so."""
+        made = Stakes(
+            network,
+            cost=self.cost,
+            protected=self.protected,
+            value=self.value,
+            ignition=ignition,
+            difficulty=self.difficulty,
+        )
+        object.__setattr__(made, "priced", self.priced)
+        return made
 
 
 def _weights(

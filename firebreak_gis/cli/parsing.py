@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from firebreak_gis import plugins
 from firebreak_gis.errors import OutputError, ParameterError
 from firebreak_gis.rasters.units import SPEED, Quantity
+
+if TYPE_CHECKING:
+    from firebreak_gis.landscape.stake_layers import ValueLayer
 
 #: The layers of a landscape, as the command line names them.
 LAYERS = ("dem", "vegetation", "density")
@@ -191,6 +194,19 @@ def _layer_values(words: Iterable[str], option: str, kind: Callable[[str], Any])
         except ValueError:
             raise ParameterError(f"{option} {layer} is {text!r}, expected a number") from None
     return result
+
+
+def value_layers(words: Iterable[str], option: str) -> tuple[ValueLayer, ...]:
+    """Read NAME=PATH[,field=...][,weight=...][,as=...] words, each name once."""
+    from firebreak_gis.landscape.stake_layers import value_layer
+
+    made: list[ValueLayer] = []
+    for word in words:
+        ((name, text),) = pairs((word,), option).items()
+        if name in {"hectares", "value", "values", *(layer.name for layer in made)}:
+            raise ParameterError(f"{option} names {name!r}, which is taken; give each value a name of its own")
+        made.append(value_layer(name, str(text)))
+    return tuple(made)
 
 
 def times(text: Any, option: str) -> list[float]:

@@ -79,6 +79,15 @@ def stakes(command: F) -> F:
             help="What the numbers of --values are: so much in each cell of the raster, polygon or point (people), the "
             "sum of which is kept; or so much a hectare.",
         ),
+        click.option(
+            "--value",
+            "value_layers",
+            multiple=True,
+            callback=kinds.VALUE_LAYERS,
+            metavar="NAME=PATH,...",
+            help="One of several values at risk: NAME=PATH, with ,field=COLUMN ,weight=NUMBER (what a unit counts in "
+            "the sum that is planned for) and ,as=density after it as needed; may be repeated, each is told by name.",
+        ),
     ]
     for option in reversed(options):
         command = option(command)

@@ -55,7 +55,7 @@ def judge(
     measures: Mapping[str, tuple[np.ndarray, Callable[[np.ndarray], np.ndarray]]] = {
         "burnt_ha": (area, _mean),
         "p90_ha": (area, _p90),
-        "cvar_ha": (area, _cvar),
+        "cvar_ha": (area, worst_mean),
         "value_lost": (lost, _mean),
         "leverage": (saved, _mean),
     }
@@ -74,6 +74,7 @@ def _p90(runs: np.ndarray) -> np.ndarray:
     return np.asarray(np.percentile(runs, 90, axis=1))
 
 
-def _cvar(runs: np.ndarray) -> np.ndarray:
-    count = max(1, round(WORST * runs.shape[1]))
-    return np.asarray(np.sort(runs, axis=1)[:, -count:].mean(axis=1))
+def worst_mean(runs: np.ndarray) -> np.ndarray:
+    """Mean of the worst tenth of the runs, at least of one, along the last axis (CVaR)."""
+    count = max(1, round(WORST * runs.shape[-1]))
+    return np.asarray(np.sort(runs, axis=-1)[..., -count:].mean(axis=-1))

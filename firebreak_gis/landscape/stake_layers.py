@@ -6,11 +6,13 @@ To add a layer: add a field to `StakesRequest`, how it is read to `StakesRequest
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, cast, get_args
 
 import numpy as np
 
@@ -37,6 +39,59 @@ CENTRES: Mapping[str, MaskRule] = MappingProxyType({"protected": "centre", "allo
 
 
 @dataclass(frozen=True)
+class ValueLayer:
+    """One of several values at risk.
+
+    Parameters
+    ----------
+    name
+        For people: people, houses, timber.
+    source
+        A raster, polygons or points.
+    field
+        Column of polygons or points; without it each counts 1.
+    weight
+        What one unit counts in the sum that is planned for, such as the money that it is worth.
+    values_as
+        As `StakesRequest.values_as`.
+    """
+
+    name: str
+    source: str
+    field: str | None = None
+    weight: float = 1.0
+    values_as: ValuesAs = "amount"
+
+
+def value_layer(name: str, text: str) -> ValueLayer:
+    """Read "PATH[,field=NAME][,weight=NUMBER][,as=amount|density]".
+
+    Raises
+    ------
+    ParameterError
+        If a word is none of these.
+
+    Examples
+    --------
+    >>> value_layer("people", "villages.gpkg,field=people,weight=2")
+    ValueLayer(name='people', source='villages.gpkg', field='people', weight=2.0, values_as='amount')
+    """
+    source, *words = re.split(r",(?=(?:field|weight|as)=)", text)
+    given = dict(word.split("=", 1) for word in words)
+    try:
+        weight = float(given.get("weight", 1.0))
+    except ValueError:
+        weight = math.nan
+    kind = given.get("as", "amount")
+    if not source or kind not in get_args(ValuesAs) or not (math.isfinite(weight) and weight >= 0.0):
+        raise ParameterError(
+            f"--value {name} is {text!r}, expected PATH, perhaps with ,field=NAME ,weight=NUMBER of at least 0 and "
+            ",as=amount or ,as=density"
+        )
+    return ValueLayer(name, source, given.get("field"), weight, cast(ValuesAs, kind))
+
+
+@dataclass(frozen=True)
 class StakesRequest:
     """Rasters on any grid, or vector files in any CRS; None where nothing is given.
 
@@ -56,6 +111,8 @@ class StakesRequest:
         Values at risk: a raster, or polygons or points with their column.
     values_as
         Whether they are amounts (in each cell of the raster, polygon or point) or so much a hectare.
+    value_layers
+        More values at risk; the sum of all, by their weights, is what plans are made for.
     """
 
     cost: str | Mapping[str, float] | None = None
@@ -68,12 +125,19 @@ class StakesRequest:
     values: str | None = None
     values_field: str | None = None
     values_as: ValuesAs = "amount"
+    value_layers: tuple[ValueLayer, ...] = ()
+
+    @property
+    def valued(self) -> bool:
+        """Whether any values are given."""
+        return bool(self.values or self.value_layers)
 
     @property
     def layers(self) -> dict[str, str]:
         """Names of files, by field."""
         named = {name: getattr(self, name) for name in ("cost", "protected", "allowed", "barriers", "values")}
-        return {name: source for name, source in named.items() if isinstance(source, str) and source}
+        known = {name: source for name, source in named.items() if isinstance(source, str) and source}
+        return known | {f"value {layer.name}": layer.source for layer in self.value_layers}
 
     @property
     def sources(self) -> tuple[str, ...]:
@@ -123,6 +187,15 @@ class StakesRequest:
             readers["value"] = lambda: value_at_risk(
                 self.values, grid, field=self.values_field, values_as=self.values_as, account=account
             )
+        for layer in self.value_layers:
+            readers[f"value {layer.name}"] = partial(
+                value_at_risk,
+                layer.source,
+                grid,
+                field=layer.field,
+                values_as=layer.values_as,
+                account=account,
+            )
         if ignitions is not None and not is_vector(ignitions):
             readers["ignition"] = lambda: ignition_source(ignitions, grid, account)
         planes: dict[str, np.ndarray] = {}
@@ -137,9 +210,23 @@ class StakesRequest:
             planes["protected"] = planes.get("protected", np.False_) | ~planes.pop("allowed")
         if "cost" in planes:
             planes |= _priced(planes["cost"], fuel & ~planes.get("barriers", np.False_), grid, account)
-        if "value" in planes:
-            _tell_out_of_reach(planes["value"], fuel, account)
-        return replace(StakePlanes(), **planes)
+        total, objectives = self._summed(planes)
+        if total is not None:
+            planes["value"] = total
+            _tell_out_of_reach(total, fuel, account)
+        known: dict[str, Any] = planes
+        return StakePlanes(objectives=objectives, **known)
+
+    def _summed(self, planes: dict[str, np.ndarray]) -> tuple[np.ndarray | None, dict[str, np.ndarray]]:
+        """The weighted sum of all values, and each of several by its name; takes the single ones out of `planes`."""
+        named = {layer.name: planes.pop(f"value {layer.name}") for layer in self.value_layers}
+        total = planes.pop("value", None)
+        if total is not None and named:
+            named = {"values": total, **named}
+        for layer in self.value_layers:
+            part = layer.weight * named[layer.name]
+            total = part if total is None else total + part
+        return total, named
 
     def _cost(self, grid: Grid, landscape: xr.Dataset | None, account: Account) -> np.ndarray:
         """Cost of cutting each cell, from costs per hectare."""

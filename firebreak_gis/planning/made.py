@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,7 @@ from firebreak_gis.construction.segments import Segments, segments_of
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.planning.feasibility import Feasibility
+from firebreak_gis.planning.goals import goals_table
 from firebreak_gis.planning.judging import Judging, headline
 from firebreak_gis.planning.request import PlanRequest
 from firebreak_gis.stakes import Stakes
@@ -58,6 +60,8 @@ class Plan:
         What could be reached.
     treated
         The segments, where each has a treatment, and what they leave; None where all cells are treated alike.
+    objectives
+        By name, what each fire loses of single values at risk, without and with the breaks, (n_runs,) each.
     """
 
     landscape: xr.Dataset
@@ -74,6 +78,7 @@ class Plan:
     share: float
     feasibility: Feasibility
     treated: Treated | None = None
+    objectives: Mapping[str, tuple[np.ndarray, np.ndarray]] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         return f"<Plan by {self.request.design.method}: cuts {self.share:.3g} of the fuel of {self.network!r}>"
@@ -98,6 +103,7 @@ class Plan:
             "embers": None if fires.embers is None else fires.embers.told(),
             "containment": None if fires.crews is None else fires.crews.told(),
             "refine": design.refine,
+            "goal": design.goal,
             "n_runs": fires.n_runs,
             "seed": fires.seed,
         }
@@ -133,6 +139,18 @@ class Plan:
     def headline(self) -> list[str]:
         """What the plan saves, as sentences: first under the fires that were asked or assumed, then in the paper's."""
         return headline(self.summary, self.judged)
+
+    @cached_property
+    def goals(self) -> pd.DataFrame:
+        """What the plan does for its goal and for all others, see `goals.goals_table`."""
+        area = self.network.grid.cell_area_ha
+        runs = (self.before, self.after)
+        losses = {"hectares": tuple(run["fire_size"].to_numpy() * area for run in runs)}
+        if "value_lost" in self.before:
+            losses["value"] = tuple(run["value_lost"].to_numpy() for run in runs)
+        planned = list(losses)[-1]
+        every: dict[str, Any] = {**losses, **self.objectives}
+        return goals_table(every, planned=planned, goal=self.request.design.goal, seed=self.request.fires.seed)
 
     @property
     def fire_sizes(self) -> pd.DataFrame:
@@ -203,6 +221,7 @@ class Plan:
             cell_area_ha=area,
             picks=resamples(after.size, self.request.fires.seed),
         )
+        figures["goals"] = self.goals.replace({np.nan: None}).to_dict("records")
         if self.request.design.method != "random":
             figures["p_value_against_random"] = float(chosen["p_value"])
         if "value_lost" in self.before:

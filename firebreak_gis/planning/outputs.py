@@ -149,6 +149,7 @@ OUTPUTS: tuple[Output[Plan], ...] = (
     Output("breaks.gpkg", "Fire breaks as polygons", _breaks, main=True),
     Output("segments.gpkg", "Segments to build, in order", _segments, main=True),
     Output("compartments.gpkg", "Compartments between the breaks", _compartments, main=True),
+    _table("goals.csv", "What the plan does for its goal and for all others", lambda plan: plan.goals),
     _table("fire_sizes.csv", "Size of every fire without and with the breaks", lambda plan: plan.fire_sizes),
     _table("evaluation.csv", "Burnt share at every budget", lambda plan: _evaluation(plan.evaluation)),
     _table("evaluation_runs.csv", "Cells burnt in every run of it", _evaluation_runs),

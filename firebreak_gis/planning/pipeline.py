@@ -16,6 +16,7 @@ from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.planning.budgets import default_budgets, few_budgets, reachable
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
+from firebreak_gis.planning.goals import Goal, for_worst_tenth
 from firebreak_gis.planning.judging import Scene
 from firebreak_gis.planning.made import Plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
@@ -30,7 +31,7 @@ from firebreak_gis.simulation.fires import burn, resolved
 from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.ignitions import Ignitions
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode, Outside
-from firebreak_gis.stakes import StakePlanes
+from firebreak_gis.stakes import StakePlanes, Stakes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -66,6 +67,7 @@ def plan(
     containment: Any = None,
     timeless: bool = False,
     refine: bool = False,
+    goal: Goal = "mean",
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
     ignitions_outside: Outside = "refuse",
@@ -115,6 +117,9 @@ def plan(
         `Plan.judged` says it, where the spread model tells no times.
     refine
         Whether the breaks are improved by local search on simulated fires, see `placement.refinement.refine`.
+    goal
+        `"mean"`, or `"worst-tenth"`: what is to be small, the loss of the mean fire or that of the worst tenth, see
+        `goals.for_worst_tenth`. `Plan.goals` tells what the plan does for both, in hectares and values.
     ignitions, ignition_mode, n_runs, seed, threads, progress
         As in `simulate`; without `ignitions` fires start by `ignition`. No method designs its plan with these fires.
     ignitions_outside
@@ -147,7 +152,7 @@ def plan(
     """
     request = PlanRequest(
         design=DesignRequest(
-            method, method_params or {}, budget, budget_unit, width, refine, as_treatments(treatments)
+            method, method_params or {}, budget, budget_unit, width, refine, as_treatments(treatments), goal
         ),
         spread=SpreadRequest(model, model_params or {}),
         fires=FireRequest(
@@ -221,42 +226,66 @@ def make_plan(
     )
     found.require()
     found = replace(found, warnings=(*found.warnings, *judged.notes))
-    fires = replace(judged.fires, ignitions=starts[0])
+    asked_fires, fires = judged.fires, replace(judged.fires, ignitions=starts[0])
     judged = replace(judged, fires=fires)
     if checked is not None:
         checked(found)
-    priority = design(
-        network,
-        asked.method,
-        stakes=stakes,
-        budget=asked.amount,
-        residual=leak,
-        refine=asked.refine,
-        width=width_in_cells(asked.width, network.grid.cell_size),
-        params=asked.method_params,
-        elevation=landscape["elevation"].to_numpy(),
-        roads=planes.roads(network),
-        seed=fires.seed,
-        progress=part(progress, 0.05, 0.35, f"rank by {asked.method}: "),
-    )
-    breaks = select_breaks(priority, budget=asked.amount, burnable=network.burnable, cost=stakes.cost)
+
+    def designed(placed: Stakes, step: Progress) -> tuple[xr.DataArray, xr.DataArray]:
+        priority = design(
+            network,
+            asked.method,
+            stakes=placed,
+            budget=asked.amount,
+            residual=leak,
+            refine=asked.refine,
+            width=width_in_cells(asked.width, network.grid.cell_size),
+            params=asked.method_params,
+            elevation=landscape["elevation"].to_numpy(),
+            roads=planes.roads(network),
+            seed=fires.seed,
+            progress=step,
+        )
+        return priority, select_breaks(priority, budget=asked.amount, burnable=network.burnable, cost=stakes.cost)
+
+    value = None if planes.value is None else stakes.value
+    ranking = part(progress, 0.05, 0.35, f"rank by {asked.method}: ")
+    if asked.goal == "mean":
+        priority, breaks = designed(stakes, ranking)
+        ground = scene.ground(judged, network, planes.barriers)
+    else:
+        ground = scene.ground(judged, network, planes.barriers)
+        priority, breaks = for_worst_tenth(
+            network,
+            stakes,
+            designed,
+            replace(asked_fires, residual=leak),
+            ground,
+            value=value,
+            threads=threads,
+            progress=ranking,
+        )
     treated = None if offers is None else treat(offers, network, stakes, breaks, priority, asked.amount)
     if treated is not None:
         fires = replace(fires, residual=treated.residual)
         done = totals(treated.segments.polygons)
         judged = replace(judged, fires=fires, hectares={name: row["area_ha"] for name, row in done.items()})
-    ground = scene.ground(judged, network, planes.barriers)
     burnt = partial(
         burn,
         ground.network,
         fires,
-        value=None if planes.value is None else stakes.value,
         weather=ground.weather,
         barriers=ground.barriers,
         threads=threads,
     )
-    before = burnt(progress=part(progress, 0.35, 0.5, "without breaks: "))
-    after = burnt(breaks=breaks, progress=part(progress, 0.5, 0.6, "with breaks: "))
+    before = burnt(value=value, progress=part(progress, 0.35, 0.5, "without breaks: "))
+    after = burnt(value=value, breaks=breaks, progress=part(progress, 0.5, 0.6, "with breaks: "))
+
+    def lost(plane: Plane, name: str) -> tuple[np.ndarray, np.ndarray]:
+        of = partial(burnt, value=network.plane(plane, name), progress=part(progress, 0.6, 0.6))
+        return of()["value_lost"].to_numpy(), of(breaks=breaks)["value_lost"].to_numpy()
+
+    objectives = {name: lost(plane, name) for name, plane in planes.objectives.items()}
     others = [name for name in BASELINES if name != asked.method]
     baselines = {name: rank(network, name, stakes=stakes, seed=fires.seed) for name in others}
     share = asked.budget if asked.budget_unit == "share" else breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
@@ -295,4 +324,5 @@ def make_plan(
         share,
         found,
         treated,
+        objectives,
     )

@@ -19,6 +19,7 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
+from firebreak_gis.planning.goals import Goal
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.request import FireRequest
 
@@ -39,6 +40,8 @@ class DesignRequest:
         Whether they are improved by local search.
     treatments
         Table from which each segment gets its treatment; None: all segments alike, as the residual of the fires says.
+    goal
+        Whether the mean of all fires or that of their worst tenth is to be small, see `goals.for_worst_tenth`.
     """
 
     method: str = "dissection"
@@ -48,6 +51,7 @@ class DesignRequest:
     width: float | None = None
     refine: bool = False
     treatments: Treatments | None = None
+    goal: Goal = "mean"
 
     @property
     def amount(self) -> Budget:

@@ -17,7 +17,7 @@ from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.placement.fires import design_fires
 from firebreak_gis.planning.comparison import compare_plans, comparison_table
 from firebreak_gis.planning.design import Designs, design
-from firebreak_gis.ranking import rank
+from firebreak_gis.ranking import rankings
 from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.stakes import Stakes
 
@@ -121,11 +121,16 @@ def test_plans_are_made_for_their_budget_and_leak(network):
 def test_equal_plans_are_made_once(network, monkeypatch):
     made = []
 
-    def noted(*given, **params):
-        made.append(params)
-        return rank(*given, **params)
+    def noted(*given, **more):
+        one = rankings(*given, **more)
 
-    monkeypatch.setattr("firebreak_gis.ranking.rank", noted)
+        def each(params, progress):
+            made.append(params)
+            return one(params, progress)
+
+        return each
+
+    monkeypatch.setattr("firebreak_gis.ranking.rankings", noted)
     stakes = Stakes(network)
     for method, params, count in (
         ("dissection", {}, 1 + 2),

@@ -222,7 +222,7 @@ def command(
         fires,
         budgets=budgets,
         residuals=residuals,
-        value=placed.value if at_stake.values else None,
+        value=placed.value if at_stake.valued else None,
         cost=placed.cost if placed.priced else None,
         ground=scene.ground(judged, barred, planes.barriers),
         progress=part(session.progress, 0.02, 0.97),

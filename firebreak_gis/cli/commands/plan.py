@@ -37,6 +37,13 @@ STEP = 1
 @options.leaks
 @click.option("--refine", is_flag=True, help="Improve the breaks by local search on simulated fires; takes longer.")
 @click.option(
+    "--goal",
+    type=click.Choice(["mean", "worst-tenth"]),
+    default="mean",
+    show_default=True,
+    help="What is to be small: the loss of the mean fire, or that of the worst tenth of the fires (CVaR).",
+)
+@click.option(
     "--treatments",
     type=kinds.TREATMENTS,
     metavar="FILE|default",
@@ -82,6 +89,7 @@ def command(
     legend gives the density. DEM alone may be a FlamMap landscape (.lcp).
     """
     from firebreak_gis.grid import Grid
+    from firebreak_gis.planning.goals import goals_told
     from firebreak_gis.planning.pipeline import make_plan
     from firebreak_gis.progress import part
 
@@ -139,6 +147,7 @@ def command(
         f"({judged['leverage_low']:.3g} to {judged['leverage_high']:.3g}), "
         f"{judged['cvar_ha']:,.0f} ha burnt in the worst tenth of the fires.\n"
         f"{''.join(f'{sentence}{chr(10)}' for sentence in result.headline[1:])}"
+        f"{goals_told(result.goals)}\n"
         f"{len(files)} files in {output.output}; look at overview.png first.",
     )
 

@@ -129,7 +129,7 @@ class Page:
         Layers of the map, lowest first.
     curve
         Burnt share against share cut.
-    segments, comparison
+    segments, comparison, goals
         Rows of tables.
     files
         Name and label of the files beside the page.
@@ -149,6 +149,7 @@ class Page:
     curve: Curve | None = None
     segments: Sequence[Row] = ()
     comparison: Sequence[Row] = ()
+    goals: Sequence[Row] = ()
     files: Sequence[tuple[str, str]] = ()
     provenance: Sequence[tuple[str, str]] = ()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -55,6 +55,7 @@ def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
         outlines=drawn,
         curve=_curve(parts.get("evaluation.csv"), account),
         segments=_segments(parts.get("segments.gpkg")),
+        goals=_goals(summary.get("goals", ())),
         files=tuple((name, label) for name, label in account.get("files", ()) if name != "report.html"),
         provenance=_provenance(account),
     )
@@ -272,6 +273,20 @@ def _segments(frame: gpd.GeoDataFrame | None) -> tuple[Row, ...]:
             cells[text] = None if value is None else round(factor * float(value), digits + 2)
         rows.append((row["order"], Row(cells, decimals, summed, number)))
     return tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
+
+
+def _goals(rows: Sequence[Mapping[str, Any]]) -> tuple[Row, ...]:
+    decimals = {"Without the breaks": 1, "With them": 1, "Saved [%]": 1, "At least [%]": 1, "At most [%]": 1}
+    names = ("without_breaks", "with_breaks", "saved_share", "saved_share_low", "saved_share_high")
+    shown = []
+    for row in rows:
+        of = "mean fire" if row["of"] == "mean" else "worst tenth of the fires"
+        cells: dict[str, Any] = {"What": f"{row['loss']}, {of}" + (" (planned for)" if row["planned_for"] else "")}
+        for name, text in zip(names, decimals, strict=True):
+            number = row[name]
+            cells[text] = None if number is None else (100 * number if "%" in text else number)
+        shown.append(Row(cells, decimals))
+    return tuple(shown)
 
 
 def _curve(table: pd.DataFrame | None, account: Mapping[str, Any]) -> Curve | None:
