@@ -1,4 +1,4 @@
-"""Every variable that passes between the stages: name, dims, dtype, units, range, meaning.
+"""Every variable that passes between the stages: name, dims, dtype, units, range, meaning; columns of vector files.
 
 `annotate` writes the CF attributes, `validate` collects every problem before it raises, and the
 raster writer takes units, nodata and colours from here, so a name never changes its unit.
@@ -163,6 +163,80 @@ _VARIABLES = (
 
 #: All variables by name.
 VARIABLES: Mapping[str, Variable] = MappingProxyType({v.name: v for v in _VARIABLES})
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column of what is written as vectors.
+
+    Parameters
+    ----------
+    text
+        What it is, for people; with the unit it is the alias of the field in a GeoPackage.
+    short
+        Its name in a Shapefile, at most 10 letters.
+    unit
+        SI, "ha", or "" for numbers and shares, and for money and values, whose unit the user knows.
+    digits
+        Digits behind the point where people read it.
+    """
+
+    text: str
+    short: str
+    unit: str = ""
+    digits: int = 0
+
+    @property
+    def alias(self) -> str:
+        """The text with the unit."""
+        return f"{self.text} [{self.unit}]" if self.unit else self.text
+
+    def told(self, value: object) -> str:
+        """A value as people read it; a dash for nothing."""
+        if isinstance(value, str):
+            return value
+        if value is None or value != value:
+            return "\N{EN DASH}"
+        return f"{value:,.{self.digits}f} {self.unit}".strip()
+
+
+# fmt: off
+#: Columns of segments, treatments, pieces of break, compartments and fronts of fire, in the order of telling.
+COLUMNS: Mapping[str, Column] = MappingProxyType({
+    "order": Column("Place in the order of construction", "order"),
+    "stage": Column("Stage of construction", "stage"),
+    "year": Column("Year of construction", "year"),
+    "compartment": Column("Compartment", "compartmnt"),
+    "length_m": Column("Length", "length_m", "m"),
+    "width_m": Column("Mean width", "width_m", "m", 1),
+    "cells": Column("Cells", "cells"),
+    "area_ha": Column("Area", "area_ha", "ha", 2),
+    "mean_slope_deg": Column("Mean slope of the ground", "slope_mean", "degrees", 1),
+    "max_slope_deg": Column("Steepest slope of the ground", "slope_max", "degrees", 1),
+    "cost": Column("Cost", "cost", digits=2),
+    "treatment": Column("Treatment", "treatment"),
+    "treatment_residual": Column("Share of the spread that the treatment leaves", "treat_res", digits=3),
+    "treatment_cost": Column("Cost of the treatment", "treat_cost", digits=2),
+    "treatment_yearly": Column("Cost of the treatment a year", "treat_year", digits=2),
+    "treatment_saving": Column("Expected loss that the treated segment saves", "treat_save", digits=2),
+    "compartment_a": Column("Compartment on one side", "comp_a"),
+    "compartment_b": Column("Compartment on the other side", "comp_b"),
+    "gain": Column("Expected loss saved at its turn", "gain", digits=2),
+    "gain_share": Column("Share of all that the breaks save", "gain_share", digits=5),
+    "stage_gain_share": Column("Share of all that its stage saves", "gain_stage", digits=5),
+    "intensity_kw_m": Column("Fire-line intensity to stop", "intensity", "kW/m"),
+    "flame_length_m": Column("Flame length to stop", "flame_m", "m", 1),
+    "breach": Column("Share of such fires that breach it", "breach", digits=3),
+    "width_wilson_m": Column("Width that 5 % of them would breach", "wid_wilson", "m", 1),
+    "width_flames_m": Column("Width of 1.5 flame lengths", "wid_flames", "m", 1),
+    "mean_priority": Column("Mean priority", "mean_prior", digits=5),
+    "ignition_share": Column("Share of ignitions", "ign_share", digits=5),
+    "value": Column("Value", "value", digits=2),
+    "expected_loss": Column("Expected loss", "exp_loss", digits=2),
+    "burnt_value": Column("Value burnt in the simulated fires", "burnt_val", digits=2),
+    "hours": Column("Hours from the start of the fire", "hours", "h", 1),
+})
+# fmt: on
 
 
 def annotate(data: xr.DataArray) -> xr.DataArray:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Iterable, Mapping
+import tempfile
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -16,8 +17,9 @@ from firebreak_gis.errors import (
     OutputError,
     VerificationError,
 )
-from firebreak_gis.files import replacing, write_bytes
+from firebreak_gis.files import require_writable, together, write_bytes
 from firebreak_gis.files.features import read_frame
+from firebreak_gis.files.formats import FORMATS, PLAIN, Labels, format_of, parts_of, require_held
 from firebreak_gis.files.gate import vector_settings
 from firebreak_gis.files.sources import names_vector
 from firebreak_gis.grid import crs_name, parse_crs
@@ -27,10 +29,8 @@ if TYPE_CHECKING:
     import numpy as np
     from pyproj import CRS
 
-#: GDAL driver by extension; GeoParquet is written without GDAL.
-DRIVERS: Mapping[str, str] = MappingProxyType(
-    {".gpkg": "GPKG", ".geojson": "GeoJSON", ".json": "GeoJSON", ".fgb": "FlatGeobuf", ".parquet": "Parquet"}
-)
+#: Formats that are written without GDAL.
+_ENCODED = (".kml", ".gpx", ".dxf")
 #: Time stamp inside GeoPackages, the same in every run so that equal data give equal bytes.
 FIXED_DATE = "2000-01-01T00:00:00Z"
 #: Lets SQLite keep its journal to itself, too: nobody else has the file open.
@@ -100,13 +100,17 @@ def write_vector(
     gdf: gpd.GeoDataFrame,
     *,
     layer: str | None = None,
+    labels: Labels = PLAIN,
+    kind: str = "Unknown",
     overwrite: bool = False,
     forbid: Iterable[str | os.PathLike[str]] = (),
 ) -> Path:
-    """Write a GeoDataFrame; the extension chooses the format (.gpkg, .geojson, .fgb, .parquet).
+    """Write a GeoDataFrame; the extension chooses the format.
 
-    GeoJSON is written in longitude and latitude (WGS 84), as its standard demands. Rows keep their
-    order. The file is read back and compared before it takes its place. No date is stored.
+    .gpkg, .shp, .zip (a zipped Shapefile), .geojson, .kml, .gpx, .dxf, .fgb and .parquet are known. GeoJSON, KML and
+    GPX are in longitude and latitude (WGS 84), as their standards demand. Columns of a Shapefile have short names
+    (`schema.COLUMNS`); a GPX holds lines and points, a DXF no columns. Rows keep their order. What GDAL writes is read
+    back and compared before it takes its place. No date is stored. The files of a Shapefile appear together.
 
     Parameters
     ----------
@@ -115,7 +119,11 @@ def write_vector(
     gdf
         With a CRS; may be empty.
     layer
-        Name of the layer; the stem of the file by default.
+        Name of the layer; the stem of the file by default, which is the title in KML and GPX.
+    labels
+        How features are called and coloured where a format shows them to people.
+    kind
+        Kind of geometry of a layer that may be empty, such as "LineString".
     overwrite
         Whether an existing file may be replaced (as a whole, with all its layers).
     forbid
@@ -124,7 +132,7 @@ def write_vector(
     Raises
     ------
     OutputError
-        If the extension is unknown or the file cannot be written.
+        If the extension is unknown, the format cannot hold the features, or the file cannot be written.
     CRSError
         If `gdf` has no CRS.
     MissingComponentError
@@ -136,24 +144,35 @@ def write_vector(
     --------
     >>> import geopandas as gpd
     >>> points = gpd.GeoDataFrame({"people": [40]}, geometry=gpd.points_from_xy([586500], [3999800]), crs=32635)
-    >>> write_vector("villages.gpkg", points).name
-    'villages.gpkg'
+    >>> [write_vector(name, points).name for name in ("villages.gpkg", "villages.kml", "villages.shp")]
+    ['villages.gpkg', 'villages.kml', 'villages.shp']
     """
     place = Path(path)
-    driver = DRIVERS.get(place.suffix.lower())
-    if driver is None:
-        raise OutputError(f"{place.name} has no known vector extension; expected one of {', '.join(DRIVERS)}")
+    driver = format_of(place).driver
     _require_crs(gdf, place.name)
+    require_held(gdf, place)
     _require_closed(place)
     layer = layer or place.stem
+    if driver == "ESRI Shapefile":
+        _write_shapefile(place, gdf, kind, overwrite=overwrite, forbid=forbid)
+        return place
     write_bytes(
         place,
-        _parquet(gdf) if driver == "Parquet" else _encoded(gdf, driver, layer),
+        _encoded(gdf, place, layer, labels, kind),
         overwrite=overwrite,
         forbid=forbid,
         verify=lambda part: _verify(part, {layer: gdf}, driver, place.name),
     )
     return place
+
+
+def require_writable_vector(
+    path: str | os.PathLike[str], *, overwrite: bool = False, forbid: Iterable[str | os.PathLike[str]] = ()
+) -> None:
+    """Check before the work that all files that `write_vector` makes can be written, as `files.require_writable`."""
+    forbid = tuple(forbid)
+    for place in parts_of(Path(path)):
+        require_writable(place, overwrite=overwrite, forbid=forbid)
 
 
 def write_layers(
@@ -184,6 +203,8 @@ def write_layers(
     place = Path(path)
     if place.suffix.lower() != ".gpkg":
         raise OutputError(f"{place.name} has several layers, which only .gpkg can hold; give it that extension")
+    from firebreak_gis.files.formats.geopackage import with_aliases
+
     for name, gdf in layers.items():
         _require_crs(gdf, f"{place.name}, layer {name}")
     _require_closed(place)
@@ -191,16 +212,21 @@ def write_layers(
     def verify(part: Path) -> None:
         _verify(part, layers, "GPKG", place.name)
 
-    with replacing(place, overwrite=overwrite, verify=verify, forbid=forbid) as part:
-        # GDAL adds layers to files on a disk only, and what fails there it may not tell: so it writes twice.
-        copies = [part, part.with_name(f"{part.name}-again.gpkg")]
+    forbid = tuple(forbid)
+    require_writable(place, overwrite=overwrite, forbid=forbid)
+    # GDAL adds layers to files on a disk only, and what fails there it may not tell: so it writes twice.
+    with tempfile.TemporaryDirectory(prefix="firebreak-") as folder:
+        copies = [Path(folder) / "one.gpkg", Path(folder) / "again.gpkg"]
         for copy in copies:
             for name, gdf in layers.items():
                 _write_ogr(copy, gdf, "GPKG", name, kinds.get(name, "Unknown"))
             if styles:
                 _write_styles(copy, styles)
-        if copies[0].read_bytes() != copies[1].read_bytes():
+        content = copies[0].read_bytes()
+        if content != copies[1].read_bytes():
             raise OutputError(f"{place.name} cannot be written as it should; is the disk full or failing?")
+    content = with_aliases(content, {name: gdf.columns for name, gdf in layers.items()})
+    write_bytes(place, content, overwrite=overwrite, forbid=forbid, verify=verify)
     return place
 
 
@@ -272,11 +298,42 @@ def _require_closed(place: Path) -> None:
             )
 
 
-def _encoded(gdf: gpd.GeoDataFrame, driver: str, layer: str) -> memoryview:
+def _encoded(gdf: gpd.GeoDataFrame, place: Path, layer: str, labels: Labels, kind: str) -> bytes | memoryview:
     """Return the bytes of a file with one layer."""
+    from firebreak_gis.files.formats import dxf, geopackage, gpx, kml
+
+    suffix, title = place.suffix.lower(), place.stem
+    if suffix == ".parquet":
+        return _parquet(gdf)
+    if suffix in _ENCODED:
+        ready = gdf.to_crs("EPSG:4326") if FORMATS[suffix].degrees else gdf
+        encode: Callable[..., bytes] = {".kml": kml.encode, ".gpx": gpx.encode, ".dxf": dxf.encode}[suffix]
+        return encode(ready, title, labels)
     memory = io.BytesIO()
-    _write_ogr(memory, gdf, driver, layer)
-    return memory.getbuffer()
+    _write_ogr(memory, gdf, FORMATS[suffix].driver, layer, kind)
+    return (
+        geopackage.with_aliases(memory.getbuffer(), {layer: gdf.columns}) if suffix == ".gpkg" else memory.getbuffer()
+    )
+
+
+def _write_shapefile(
+    place: Path, gdf: gpd.GeoDataFrame, kind: str, *, overwrite: bool, forbid: Iterable[str | os.PathLike[str]]
+) -> None:
+    """All files of a Shapefile, or none of them; or one archive of them."""
+    from firebreak_gis.files.formats.shapefile import BESIDE, encode, zipped
+
+    stem = place.name[: -len(".zip")].removesuffix(".shp") if place.suffix.lower() == ".zip" else place.stem
+    parts = encode(gdf, place.name, kind)
+    if place.suffix.lower() == ".zip":
+        write_bytes(place, zipped(parts, stem), overwrite=overwrite, forbid=forbid)
+        return
+    forbid = tuple(forbid)
+    require_writable_vector(place, overwrite=overwrite, forbid=forbid)
+    old = [other for end in BESIDE if (other := place.with_suffix(end)).exists()]
+    with together(place.parent):
+        for path in parts_of(place):
+            last = old if path == place else []
+            write_bytes(path, parts[path.suffix.lower()], overwrite=overwrite, forbid=forbid, remove=last)
 
 
 def _write_ogr(
@@ -329,6 +386,8 @@ def _verify(part: Path, layers: Mapping[str, gpd.GeoDataFrame], driver: str, nam
     import numpy as np
     from pyogrio.errors import DataLayerError, DataSourceError
 
+    if not driver and part.suffix != ".parquet":
+        return  # made here: its bytes are compared
     for layer, gdf in layers.items():
         try:
             found = _bounds(part, driver, layer)
@@ -356,7 +415,7 @@ def _bounds(part: Path, driver: str, layer: str) -> np.ndarray:
     import pyogrio.raw
     import shapely
 
-    if driver == "Parquet":
+    if part.suffix == ".parquet":
         import geopandas as gpd
 
         return np.asarray(gpd.read_parquet(part).geometry.bounds)

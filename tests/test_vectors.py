@@ -23,7 +23,7 @@ def boxes(order=(2, 0, 1)):
     return gpd.GeoDataFrame({"priority": [1, 2, 3], "name": ["ä", "b", "ζώνη"]}, geometry=shapes, crs=UTM)
 
 
-FORMATS = [".gpkg", ".geojson", ".json", ".fgb"]
+FORMATS = [".gpkg", ".geojson", ".json", ".fgb", ".zip"]
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
@@ -86,7 +86,7 @@ def test_overwriting_and_unknown_extensions_are_refused(tmp_path):
     with pytest.raises(OutputError, match="exists"):
         vectors.write_vector(path, boxes())
     with pytest.raises(OutputError, match="extension"):
-        vectors.write_vector(tmp_path / "a.shp", boxes())
+        vectors.write_vector(tmp_path / "a.txt", boxes())
     with pytest.raises(CRSError):
         vectors.write_vector(tmp_path / "b.gpkg", boxes().set_crs(None, allow_override=True))
     (tmp_path / "a.gpkg-wal").touch()

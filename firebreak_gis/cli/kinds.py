@@ -14,11 +14,11 @@ import click
 from firebreak_gis import plugins
 from firebreak_gis.cli import parsing
 from firebreak_gis.cli.requests import note
+from firebreak_gis.files.formats import FORMATS
 from firebreak_gis.landscape import legends
 from firebreak_gis.landscape.continuity import CONTINUITY
 from firebreak_gis.rasters.units import ANGLE, SHARE, SPEED
 from firebreak_gis.schema import DENSITY
-from firebreak_gis.vectors import DRIVERS
 
 
 class Kind(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in newer releases
@@ -115,6 +115,7 @@ RASTER_OR_NUMBER = Kind("number|raster")
 WIND_SPEED = Kind("number|raster", read=parsing.measured(SPEED))
 WIND_DIRECTION = Kind("number|raster", read=parsing.measured(ANGLE))
 MOISTURE = Kind("number|raster", read=parsing.measured(SHARE))
+VECTOR = Kind("vector")
 VECTOR_OR_RASTER = Kind("vector|raster")
 RASTER_OR_VECTOR = Kind("raster|vector")
 COST = Kind("vector|raster|text", read=parsing.cost)
@@ -147,6 +148,7 @@ VALUE_LAYERS = _from_words(parsing.value_layers)
 NEW_RASTER = NewFile("new-raster", (".tif", ".tiff"))
 NEW_PAGE = NewFile("new-file", (".html",))
 NEW_TABLE = NewFile("new-table", (".csv",))
-NEW_VECTOR = NewFile("new-vector", tuple(DRIVERS))
+NEW_VECTOR = NewFile("new-vector", tuple(FORMATS))
+NEW_AREAS = NewFile("new-vector", tuple(end for end, kind in FORMATS.items() if "Polygon" in kind.holds))
+NEW_BOOK = NewFile("new-file", (".pdf",))
 NEW_CONFIG = NewFile("new-config", (".toml",))
-NEW_LAYERS = NewFile("new-vector", (".gpkg",))

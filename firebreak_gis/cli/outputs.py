@@ -122,3 +122,9 @@ def overwrite(command: F) -> F:
 
 
 _overwrite = click.option("--overwrite", is_flag=True, help="Replace existing files.")
+#: --what: the layer of segments that goes into a format with one.
+what = click.option(
+    "--what",
+    type=click.Choice(["lines", "polygons"]),
+    help="Layer of the segments to write: middle lines or outlines [default: both in .gpkg, else the lines].",
+)

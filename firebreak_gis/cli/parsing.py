@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from firebreak_gis import plugins
 from firebreak_gis.errors import OutputError, ParameterError
+from firebreak_gis.files.formats import hint
 from firebreak_gis.rasters.units import SPEED, Quantity
 
 if TYPE_CHECKING:
@@ -101,7 +102,10 @@ def require_extension(path: str, extensions: Sequence[str], option: str) -> None
         If its extension is none of those.
     """
     if Path(path).suffix.lower() not in extensions:
-        raise OutputError(f"{option} got {path!r}, expected the extension {' or '.join(extensions)}")
+        raise OutputError(
+            f"{option} got {path!r}, expected the extension {' or '.join(extensions)}"
+            f"{hint(Path(path).suffix, extensions)}"
+        )
 
 
 def byte_size(text: str | None, option: str = "--max-memory") -> int | None:

@@ -90,7 +90,7 @@ def segments_of(
     * `width_m`: mean width of the polygon, see `firebreak_gis.construction.centrelines.mean_width`; a cell's for a wall
       that is one cell wide;
     * `cells`, `area_ha`;
-    * `mean_slope_deg`: of the terrain at the cells by Horn's weights, NaN without elevation;
+    * `mean_slope_deg`, `max_slope_deg`: of the terrain at the cells by Horn's weights, NaN without elevation;
     * `cost`;
     * `compartment_a`, `compartment_b`: numbers as in `compartments`, a < b; both 0 for pieces that separate nothing;
     * `gain`: drop of the expected loss when the segment is built at its turn, in the unit of value, by the model of
@@ -285,11 +285,14 @@ def _columns(
 
     known = np.isfinite(slope)
     n_known = total(known)
+    steepest = np.zeros(n)
+    np.maximum.at(steepest, owner[inside], np.nan_to_num(slope).ravel()[inside])
     cells = np.bincount(owner[inside], minlength=n)[order]
     return {
         "cells": cells,
         "area_ha": cells * network.grid.cell_area_ha,
         "mean_slope_deg": np.where(n_known > 0, total(np.where(known, slope, 0.0)) / np.maximum(n_known, 1), np.nan),
+        "max_slope_deg": np.where(n_known > 0, steepest[order], np.nan),
         "cost": total(price),
     }
 
@@ -344,6 +347,7 @@ def _frames(
         "cells",
         "area_ha",
         "mean_slope_deg",
+        "max_slope_deg",
         "cost",
         "compartment_a",
         "compartment_b",

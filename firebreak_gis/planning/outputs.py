@@ -7,14 +7,13 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from firebreak_gis.construction.writing import write_compartments, write_segments
+from firebreak_gis.construction.writing import write_breaks, write_compartments, write_segments
 from firebreak_gis.files import write_text
 from firebreak_gis.files.outputs import Output, Writing, labels, names, write_all
 from firebreak_gis.landscape.folder import OUTPUTS as LAYERS
 from firebreak_gis.manifest import account, provenance, told
 from firebreak_gis.progress import Progress
 from firebreak_gis.rasters import files_behind, write_raster
-from firebreak_gis.vectors import write_vector
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -57,7 +56,7 @@ def _evaluation(result: xr.Dataset) -> pd.DataFrame:
 
 
 def _breaks(plan: Plan, path: Path, how: Writing) -> None:
-    write_vector(path, plan.polygons, layer="breaks", overwrite=how.overwrite, forbid=how.forbid)
+    write_breaks(path, plan.polygons, overwrite=how.overwrite, forbid=how.forbid)
 
 
 def _segments(plan: Plan, path: Path, how: Writing) -> None:

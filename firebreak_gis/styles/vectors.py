@@ -5,13 +5,14 @@ In a GeoPackage a style lies in the table `layer_styles`, where QGIS finds it fo
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
+from firebreak_gis.schema import COLUMNS
 from firebreak_gis.styles.rasters import rgba
 
 if TYPE_CHECKING:
@@ -36,7 +37,13 @@ def class_edges(values: np.ndarray, n: int = _CLASSES) -> list[float]:
 
 
 def graduated(
-    values: np.ndarray, *, column: str, symbol: Symbol, colours: Sequence[str], label: str | None = None
+    values: np.ndarray,
+    *,
+    column: str,
+    symbol: Symbol,
+    colours: Sequence[str],
+    label: str | None = None,
+    columns: Iterable[str] = (),
 ) -> str:
     """Return the text of a .qml that colours features by classes of a column.
 
@@ -52,6 +59,9 @@ def graduated(
         "#rrggbb" or "#rrggbbaa" from the first class to the last, at least two; interpolated.
     label
         Column to write beside the features.
+    columns
+        All columns of the layer: those of `schema.COLUMNS` get their texts as aliases, for a QGIS whose GDAL, before
+        3.7, does not read those of the GeoPackage.
     """
     edges = class_edges(values)
     shades = _between(colours, len(edges) - 1)
@@ -62,13 +72,15 @@ def graduated(
     symbols = "".join(_symbol(k, symbol, shade) for k, shade in enumerate(shades))
     return (
         "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
-        f'<qgis version="3.22.0" styleCategories="Symbology|Labeling" labelsEnabled="{int(label is not None)}">\n'
+        '<qgis version="3.22.0" styleCategories="Symbology|Labeling|Fields" '
+        f'labelsEnabled="{int(label is not None)}">\n'
         f' <renderer-v2 type="graduatedSymbol" attr={quoteattr(column)} graduatedMethod="GraduatedColor" '
         'symbollevels="0" enableorderby="0" forceraster="0">\n'
         f"  <ranges>\n{ranges}  </ranges>\n"
         f"  <symbols>\n{symbols}  </symbols>\n"
         " </renderer-v2>\n"
         f"{'' if label is None else _labels(label, symbol)}"
+        f"{_aliases(columns)}"
         " <blendMode>0</blendMode>\n"
         " <featureBlendMode>0</featureBlendMode>\n"
         "</qgis>\n"
@@ -129,6 +141,15 @@ def _symbol(number: int, kind: Symbol, shade: tuple[int, ...]) -> str:
         f'    <layer class="{name}" enabled="1" locked="0" pass="0">\n{lines}    </layer>\n'
         "   </symbol>\n"
     )
+
+
+def _aliases(columns: Iterable[str]) -> str:
+    known = "".join(
+        f'  <alias index="{k}" field={quoteattr(name)} name={quoteattr(COLUMNS[name].alias)}/>\n'
+        for k, name in enumerate(columns, 1)  # the first is the number that GDAL gives
+        if name in COLUMNS
+    )
+    return f" <aliases>\n{known} </aliases>\n" if known else ""
 
 
 def _labels(column: str, symbol: Symbol) -> str:

@@ -20,6 +20,7 @@ from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.construction.sequence import construction_order
 from firebreak_gis.errors import GridError, InputError
 from firebreak_gis.grid import Grid
+from firebreak_gis.kernels.terrain import horn_slope
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.ranking import rank
 from firebreak_gis.simulation.fires import simulate
@@ -38,6 +39,7 @@ COLUMNS = [
     "cells",
     "area_ha",
     "mean_slope_deg",
+    "max_slope_deg",
     "cost",
     "compartment_a",
     "compartment_b",
@@ -262,11 +264,18 @@ def test_slope_cost_value_and_ignition():
     lines, _ = check(network, cut, elevation=elevation, cost=column, value=column, ignition=ignition)
     total = ignition.sum()
     kept = 5 * 6 / total * 5 * 1 + 5 * 3 / total * 5 * 12
-    assert lines["mean_slope_deg"].iloc[0] == pytest.approx(45)
+    assert lines["mean_slope_deg"].iloc[0] == lines["max_slope_deg"].iloc[0] == pytest.approx(45)
+    rough = elevation + np.arange(5)[:, np.newaxis] ** 3
+    slopes = horn_slope(rough, CELL)[cut]
+    found = check(network, cut, elevation=rough)[0]
+    assert found["max_slope_deg"].tolist() == [slopes.max()]
+    assert found["mean_slope_deg"].tolist() == [pytest.approx(slopes.mean())]
+    assert slopes.max() > slopes.mean() + 1
     assert lines["cost"].iloc[0] == 5 * 2
     assert lines["gain"].iloc[0] == pytest.approx(5 * 15 - kept)
     elevation = np.where(column == 2, elevation, np.nan)
-    assert math.isnan(segments_of(network, cut, elevation=elevation)[0]["mean_slope_deg"].iloc[0])
+    unknown = segments_of(network, cut, elevation=elevation)[0]
+    assert unknown[["mean_slope_deg", "max_slope_deg"]].isna().all(axis=None)
 
 
 def test_cheap_walls_of_large_compartments_come_first():

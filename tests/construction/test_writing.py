@@ -18,6 +18,7 @@ from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.construction.writing import write_compartments, write_segments
 from firebreak_gis.errors import CRSError, OutputError
 from firebreak_gis.planning.pipeline import plan
+from firebreak_gis.schema import COLUMNS
 from firebreak_gis.styles.vectors import class_edges, graduated
 from firebreak_gis.vectors import write_layers
 
@@ -59,7 +60,7 @@ def test_layers_of_one_file(network, breaks, tmp_path):
     with pytest.raises(OutputError, match="exists"):
         write_segments(tmp_path / "s.gpkg", lines, polygons)
     with pytest.raises(OutputError, match=r"only \.gpkg"):
-        write_segments(tmp_path / "s.fgb", lines, polygons)
+        write_layers(tmp_path / "s.fgb", {"lines": lines})
     with pytest.raises(CRSError, match="layer lines"):
         write_layers(tmp_path / "t.gpkg", {"lines": lines.set_crs(None, allow_override=True)})
     assert [p.name for p in tmp_path.iterdir()] == ["s.gpkg"]
@@ -81,6 +82,11 @@ def test_styles_lie_in_the_file(network, breaks, tmp_path):
         names = {s.get("name") for s in root.findall("renderer-v2/symbols/symbol")}
         assert {r.get("symbol") for r in ranges} == names
         assert root.find("renderer-v2").get("attr") == "stage"
+        aliases = {a.get("field"): (int(a.get("index")), a.get("name")) for a in root.findall("aliases/alias")}
+        # GDAL puts its own number before the columns.
+        assert aliases == {
+            c: (k, COLUMNS[c].alias) for k, c in enumerate(frame.columns.drop("geometry"), 1) if c in COLUMNS
+        }
     assert found["lines"][0].find("labeling/settings/text-style").get("fieldName") == "order"
     write_compartments(tmp_path / "c.gpkg", compartments_of(network, breaks)[1])
     assert styles(tmp_path / "c.gpkg")["compartments"][0].find("renderer-v2").get("attr") == "expected_loss"

@@ -11,9 +11,10 @@ import numpy as np
 
 from tests.faults.state import content, put_back
 
-SINGLE = ("text", "figure", "svg", "account", "raster", "network", "gpkg", "geojson", "fgb")
+VECTORS = ("gpkg", "geojson", "fgb", "kml", "gpx", "dxf", "zip", "shp")
+SINGLE = ("text", "figure", "svg", "account", "raster", "network", "layers", *VECTORS)
 #: Kinds that take long.
-LONG = ("layers", "landscape", "plan")
+LONG = ("landscape", "plan")
 KINDS = (*SINGLE, *LONG)
 
 
@@ -119,7 +120,10 @@ def _network(folder, variant, overwrite):
 def _vector(folder, variant, overwrite, suffix):
     from firebreak_gis.vectors import write_vector
 
-    write_vector(folder / f"out{suffix}", polygons(variant), overwrite=overwrite)
+    frame = polygons(variant)
+    if suffix == ".gpx":
+        frame = frame.set_geometry(frame.boundary)
+    write_vector(folder / f"out{suffix}", frame, overwrite=overwrite)
 
 
 def _layers(folder, variant, overwrite):
@@ -159,10 +163,8 @@ WRITERS = {
     "account": _account,
     "raster": _raster,
     "network": _network,
-    "gpkg": functools.partial(_vector, suffix=".gpkg"),
+    **{name: functools.partial(_vector, suffix=f".{name}") for name in VECTORS},
     "layers": _layers,
-    "geojson": functools.partial(_vector, suffix=".geojson"),
-    "fgb": functools.partial(_vector, suffix=".fgb"),
     "landscape": _landscape_folder,
     "plan": _plan,
 }

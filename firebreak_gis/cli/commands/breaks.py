@@ -40,9 +40,9 @@ STEP = 5
 @filters.foreign
 @click.option(
     "--polygons",
-    type=kinds.NEW_VECTOR,
+    type=kinds.NEW_AREAS,
     metavar="FILE",
-    help="Also write the outlines (.gpkg, .geojson, .fgb, .parquet).",
+    help="Also write the outlines: .gpkg, .shp, .zip (a zipped Shapefile), .geojson, .kml, .dxf, .fgb or .parquet.",
 )
 @options.common
 @built(output=OutputRequest)
@@ -64,15 +64,17 @@ def command(
     made for another budget is warned of.
     """
     from firebreak_gis.breaks import Budget, break_polygons, select_breaks
+    from firebreak_gis.construction.writing import write_breaks
     from firebreak_gis.files import require_writable, together
     from firebreak_gis.manifest import provenance
     from firebreak_gis.rasters import files_behind, write_raster
-    from firebreak_gis.vectors import write_vector
+    from firebreak_gis.vectors import require_writable_vector
 
     files = [output.output] + ([polygons] if polygons else [])
     inputs = files_behind([priority] + ([cost] if cost else []))
-    for name in files:
-        require_writable(name, overwrite=output.overwrite, forbid=inputs)
+    require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
+    if polygons:
+        require_writable_vector(polygons, overwrite=output.overwrite, forbid=inputs)
     ranking = read_priority(priority, session, foreign=foreign)
     prices = None
     if cost or cost_default is not None:
@@ -93,7 +95,7 @@ def command(
             creation_options=output.creation_options,
         )
         if polygons:
-            write_vector(polygons, break_polygons(breaks, ranking), layer="breaks", overwrite=output.overwrite)
+            write_breaks(polygons, break_polygons(breaks, ranking), overwrite=output.overwrite)
     count = breaks.attrs["cells_cut"]
     session.finish({"files": files, "cells_cut": count}, f"{count} cells cut; written to {', '.join(files)}")
 

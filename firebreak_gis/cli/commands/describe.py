@@ -66,6 +66,8 @@ def _parameter(param: click.Parameter) -> dict[str, Any]:
         entry["choices"] = [str(c) for c in kind.choices]
     elif isinstance(kind, kinds.Kind) and kind.choices:
         entry["choices"] = list(kind.choices())
+    if isinstance(kind, kinds.NewFile):
+        entry["extensions"] = list(kind.extensions)
     if isinstance(param, click.Option):
         entry |= {"flags": list(param.opts), "help": param.help or ""}
     return {key: value for key, value in entry.items() if value is not None and value is not False}

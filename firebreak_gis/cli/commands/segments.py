@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -14,6 +15,9 @@ from firebreak_gis.errors import InputError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 
+if TYPE_CHECKING:
+    from firebreak_gis.construction.writing import What
+
 #: Place in the list of commands, which is the order of the work.
 STEP = 6
 
@@ -21,12 +25,17 @@ STEP = 6
 @click.command("segments")
 @click.argument("network", type=kinds.RASTER)
 @click.argument("mask", metavar="BREAKS", type=kinds.RASTER_OR_VECTOR)
-@outputs.output_file("GeoPackage with the layers lines and polygons", kinds.NEW_LAYERS)
+@outputs.output_file(
+    "GeoPackage with the layers lines and polygons; or .shp, .zip, .geojson, .kml, .gpx, .dxf, .fgb, .parquet with one "
+    "of them",
+    kinds.NEW_VECTOR,
+)
+@outputs.what
 @click.option(
     "--compartments",
-    type=kinds.NEW_LAYERS,
+    type=kinds.NEW_AREAS,
     metavar="FILE",
-    help="Also write the compartments between the breaks as a GeoPackage.",
+    help="Also write the compartments between the breaks, in any of these formats but .gpx.",
 )
 @click.option(
     "--priority",
@@ -52,6 +61,7 @@ def command(
     ignitions: str | None,
     foreign: bool,
     compartments: str | None,
+    what: What | None,
 ) -> None:
     """Take BREAKS on NETWORK apart into segments to build, best first.
 
@@ -60,16 +70,18 @@ def command(
     """
     from firebreak_gis.construction.compartments import compartments_of
     from firebreak_gis.construction.segments import segments_of
-    from firebreak_gis.construction.writing import write_compartments, write_segments
-    from firebreak_gis.files import require_writable, together
+    from firebreak_gis.construction.writing import require_what, write_compartments, write_segments
+    from firebreak_gis.files import together
     from firebreak_gis.landscape.planes import elevation_plane
     from firebreak_gis.rasters import files_behind
     from firebreak_gis.spread.raster import read_network
+    from firebreak_gis.vectors import require_writable_vector
 
+    require_what(output.output, what)
     inputs = files_behind([network, mask, *filter(None, (priority, dem, ignitions)), *at_stake.sources])
     files = [output.output] + ([compartments] if compartments else [])
     for name in files:
-        require_writable(name, overwrite=output.overwrite, forbid=inputs)
+        require_writable_vector(name, overwrite=output.overwrite, forbid=inputs)
     untouched = read_network(network)
     planes, _ = read_stakes(at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=ignitions)
     barred, placed = planes.on(untouched)
@@ -91,7 +103,7 @@ def command(
     session.progress(0.7, "compartments")
     _, table = compartments_of(barred, cut, value=placed.value, ignition=placed.ignition)
     with together(*(Path(name).parent for name in files)):
-        write_segments(output.output, lines, polygons, overwrite=output.overwrite, forbid=inputs)
+        write_segments(output.output, lines, polygons, what=what, overwrite=output.overwrite, forbid=inputs)
         if compartments:
             write_compartments(compartments, table, overwrite=output.overwrite, forbid=inputs)
     length = float(lines["length_m"].sum()) / 1000.0
