@@ -197,7 +197,8 @@ class Column:
             return value
         if value is None or value != value:
             return "\N{EN DASH}"
-        return f"{value:,.{self.digits}f} {self.unit}".strip()
+        # Numbers of things and years are no amounts: no comma in them.
+        return f"{value:,.{self.digits}f} {self.unit}".strip() if self.unit or self.digits else f"{value:.0f}"
 
 
 # fmt: off

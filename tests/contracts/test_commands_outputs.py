@@ -41,6 +41,7 @@ GIVEN = {
     "duration": "1h",
     "fit": "rate",
     "run": "compared",
+    "source": "segments.gpkg",
 }
 #: What the same name means elsewhere.
 OWN = {
@@ -109,6 +110,7 @@ def template(tmp_path_factory):
     write(folder / "net.tif", np.full((8, ROWS, COLS), 0.5, "float32"))
     assert call("rank", folder / "net.tif", "--method", "degree", "-o", folder / "priority.tif").exit_code == 0
     assert call("breaks", folder / "priority.tif", "-o", folder / "mask.tif").exit_code == 0
+    assert call("segments", folder / "net.tif", folder / "mask.tif", "-o", folder / "segments.gpkg").exit_code == 0
     (folder / "side").mkdir()
     scar, start = np.zeros((ROWS, COLS), "uint8"), np.zeros((ROWS, COLS), "uint8")
     scar[8:18, 8:22] = start[11:15, 12:17] = 1

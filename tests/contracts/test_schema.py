@@ -10,7 +10,7 @@ import pytest
 from firebreak_gis import errors
 from firebreak_gis.errors import FirebreakError, InputError
 from firebreak_gis.progress import part, silent
-from firebreak_gis.schema import DENSITY, VARIABLES, VEGETATION, annotate, validate
+from firebreak_gis.schema import COLUMNS, DENSITY, VARIABLES, VEGETATION, annotate, validate
 
 
 @pytest.mark.parametrize("name", VARIABLES)
@@ -35,6 +35,16 @@ def test_every_variable_is_whole(name):
         assert colour.startswith("#")
         assert len(colour) in (7, 9)
         int(colour[1:], 16)
+
+
+def test_columns_are_told_as_people_read_them():
+    assert COLUMNS["length_m"].told(12345.6) == "12,346 m"
+    assert COLUMNS["year"].told(2027) == "2027"
+    assert COLUMNS["cost"].told(1234.5) == "1,234.50"
+    assert COLUMNS["treatment"].told("clearing") == "clearing"
+    assert COLUMNS["mean_slope_deg"].told(math.nan) == COLUMNS["stage"].told(None) == "–"
+    assert COLUMNS["area_ha"].alias == "Area [ha]"
+    assert COLUMNS["stage"].alias == "Stage of construction"
 
 
 def test_classes_are_those_of_the_paper():

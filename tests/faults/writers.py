@@ -12,7 +12,7 @@ import numpy as np
 from tests.faults.state import content, put_back
 
 VECTORS = ("gpkg", "geojson", "fgb", "kml", "gpx", "dxf", "zip", "shp")
-SINGLE = ("text", "figure", "svg", "account", "raster", "network", "layers", *VECTORS)
+SINGLE = ("text", "figure", "svg", "book", "account", "raster", "network", "layers", *VECTORS)
 #: Kinds that take long.
 LONG = ("landscape", "plan")
 KINDS = (*SINGLE, *LONG)
@@ -89,6 +89,28 @@ def _svg(folder, variant, overwrite):
     _figure(folder, variant, overwrite, "out.svg")
 
 
+@functools.cache
+def pages(variant):
+    from firebreak_gis.grid import Grid, parse_crs
+    from firebreak_gis.report import mapbook
+    from firebreak_gis.report.mapbook.atlas import Atlas
+
+    lines = polygons(variant)[:1].assign(stage=1, length_m=5.0)
+    lines = lines.set_geometry(lines.boundary)
+    from affine import Affine
+
+    grid = Grid((20, 20), Affine(10, 0, 0, 0, -10, 100), parse_crs("EPSG:32635"))
+    return mapbook._drawn(Atlas(f"plan {variant}", lines, grid), mapbook.pages.sheet("a4", portrait=True), [0], None)
+
+
+def _book(folder, variant, overwrite):
+    from firebreak_gis.report import mapbook
+
+    atlas = mock.Mock(lines={"length_m": [5.0]})
+    with mock.patch.object(mapbook, "_drawn", return_value=pages(variant)):  # drawing takes a second
+        mapbook.write_book(folder / "out.pdf", atlas, overwrite=overwrite)
+
+
 def _account(folder, variant, overwrite):
     from firebreak_gis.manifest import write_manifest
 
@@ -160,6 +182,7 @@ WRITERS = {
     "text": _text,
     "figure": _figure,
     "svg": _svg,
+    "book": _book,
     "account": _account,
     "raster": _raster,
     "network": _network,

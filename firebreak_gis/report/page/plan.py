@@ -44,7 +44,7 @@ def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
     summary = account.get("summary", {})
     drawn = _outlines(parts, origin)
     return Page(
-        title=_title(account),
+        title=plan_title(account),
         headline=tuple(account.get("headline") or _headline(summary)),
         assumptions=tuple(account.get("assumptions", ())),
         warnings=tuple(account.get("warnings", ())),
@@ -98,7 +98,8 @@ def comparison_page(table: pd.DataFrame, account: Mapping[str, Any]) -> Page:
     )
 
 
-def _title(account: Mapping[str, Any]) -> str:
+def plan_title(account: Mapping[str, Any]) -> str:
+    """What the account of a plan calls it: its method and its budget."""
     asked = account.get("parameters", {})
     unit = asked.get("budget_unit", "share")
     budget = asked.get("budget", 0.1)
