@@ -41,6 +41,7 @@ LABELS: Mapping[str, str] = {
     "method_list": "Rankings",
     "method_params": "Parameters of the ranking, such as beta=0.5; width=60",
     "model_params": "Parameters of the spread model, such as p0=0.5",
+    "what": "What of the segments goes into a format with one layer",
     "run": "Folder of the run",
     "config": "Calibration, or the account (run.json) of an earlier run",
     "clock": "Tell times too (for fires with a duration)",
@@ -122,6 +123,7 @@ CHOICES: Mapping[str, Mapping[str, str]] = {
     "neighbourhood": {"moore": "All eight", "von_neumann": "The four that share a side"},
     "budget_unit": {"share": "Share of the fuel (0 to 1)", "ha": "Hectares", "cost": "Money"},
     "protected_rule": {"every-part": "Cells with any part in the area", "centre": "Cells whose centre is in the area"},
+    "what": {"lines": "Their middle lines", "polygons": "Their outlines"},
     "values_as": {"amount": "So much in each cell, polygon or point", "density": "So much a hectare"},
     "ignition_mode": {
         "each": "One for each fire, in turn",
