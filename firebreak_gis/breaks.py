@@ -15,10 +15,11 @@ import numpy as np
 
 from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid, traced
+from firebreak_gis.rasters.units import read_amount
 from firebreak_gis.schema import VARIABLES, annotate
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     import geopandas as gpd
     import xarray as xr
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
 #: What a budget counts: a share of the fuel, hectares, or money.
 BudgetUnit = Literal["share", "ha", "cost"]
+_COUNTED = {"share": "a share of the fuel", "ha": "hectares", "cost": "money"}
 #: Sums of costs may pass a budget by this share, for their rounding.
 _ROUNDING = 1.0 + 1e-12
 #: Shares of a cell that hectares may lack for it, for their rounding.
@@ -55,15 +57,46 @@ class Budget:
     16
     >>> Budget(5.0, "cost").affordable([2.0, 3.0, 1.0])
     2
+    >>> Budget.of("14%"), Budget.of("5 ha"), Budget.of("20000eur")
+    (Budget(amount=0.14, unit='share'), Budget(amount=5.0, unit='ha'), Budget(amount=20000.0, unit='cost'))
     """
 
     amount: float
     unit: BudgetUnit = "share"
 
     @classmethod
-    def of(cls, budget: float | Budget, unit: BudgetUnit = "share") -> Budget:
-        """A budget as it is, or the one of an amount and its unit."""
-        return budget if isinstance(budget, Budget) else cls(budget, unit)
+    def of(cls, budget: Amount, unit: BudgetUnit | None = None) -> Budget:
+        """A budget as it is, as a text says, or that of a number and its unit.
+
+        Parameters
+        ----------
+        budget
+            A number counts in `unit`. A text may tell its own: "10%", "5 ha", "12 acres", "20000 EUR", "$20 000".
+        unit
+            What a number counts, by default a share; a budget that tells its own unit must agree.
+
+        Raises
+        ------
+        ParameterError
+            If the text is no budget, or its unit is another one.
+        """
+        if isinstance(budget, str):
+            amount = read_amount(budget)
+            if amount is None:
+                raise ParameterError(
+                    f"budget is {budget!r}, expected a share of the fuel such as 10% or 0.1, an area such as 5ha, or "
+                    "money such as 20000eur (a point stands before decimals only)"
+                )
+            number, word = amount
+            found = cls(number, typing.cast(BudgetUnit, word or unit or "share"))
+        else:
+            found = budget if isinstance(budget, Budget) else cls(budget, unit or "share")
+        if unit is not None and found.unit != unit:
+            raise ParameterError(
+                f"budget is {budget!s}, which counts {_COUNTED[found.unit]}, but its unit is given as {unit}; "
+                "leave the unit away, or give a plain number"
+            )
+        return found
 
     @classmethod
     def of_cost_share(cls, share: float, stakes: Stakes) -> Budget:
@@ -77,11 +110,12 @@ class Budget:
         `planning.design.design` records it in the attributes, the raster writer in the tags of the file.
         """
         text = priority.attrs.get("made_for") or priority.attrs.get("provenance", {}).get("made_for")
-        amount, _, unit = str(text or "").partition(" ")
+        if not text:
+            return None
         try:
-            made = cls(float(amount), typing.cast(BudgetUnit, unit))
+            made = cls.of(str(text))
             made.require()
-        except (ValueError, ParameterError):
+        except ParameterError:
             return None
         return made
 
@@ -107,7 +141,8 @@ class Budget:
         if self.unit == "share":
             if not (number and 0.0 <= self.amount <= 1.0):
                 raise ParameterError(
-                    f"budget is {self.amount}, expected a share of the cells that hold fuel, from 0 to 1 (14 % is 0.14)"
+                    f"budget is {self.amount}, expected a share of the cells that hold fuel, from 0 to 1 (14 % is 0.14 "
+                    "or 14%; hectares are 5ha)"
                 )
         elif not (number and math.isfinite(self.amount) and self.amount >= 0.0):
             told = f"{self.amount} ha" if self.unit == "ha" else f"{self.amount}"
@@ -135,6 +170,22 @@ class Budget:
             return math.floor(float(self.amount) * n_burnable + 0.5)
         # A whole number of cells must not be lost to rounding.
         return math.floor(float(self.amount) / cell_area_ha + _SLACK)
+
+    def share(self, network: SpreadNetwork) -> float:
+        """Share of the cells with fuel that is cut.
+
+        Raises
+        ------
+        ParameterError
+            As `require`; or for money, which buys each ranking another share.
+        """
+        if self.unit == "cost":
+            raise ParameterError(
+                f"a budget of {self} buys each ranking another area, and these are compared at the same one; give "
+                "shares such as 5% or hectares such as 20ha"
+            )
+        cells = self.cells(n_burnable=network.n_burnable, cell_area_ha=network.grid.cell_area_ha)
+        return float(self.amount) if self.unit == "share" else cells / max(network.n_burnable, 1)
 
     def affordable(self, costs: Sequence[float] | np.ndarray) -> int:
         """Length of the longest beginning of `costs`, one a cell in the order of cutting, that money pays.
@@ -169,6 +220,15 @@ class Budget:
     def cell_share(self, network: SpreadNetwork, stakes: Stakes) -> float:
         """Share of the cells with fuel that this is about; money is taken at the mean cost."""
         return self.cost_share(network, stakes)
+
+
+#: What a budget is given as: a number, a text such as "10%", or a budget.
+Amount = float | str | Budget
+
+
+def shares_of(budgets: Iterable[Amount], network: SpreadNetwork) -> list[float]:
+    """Shares of the cells with fuel that budgets cut, in their order, see `Budget.of` and `Budget.share`."""
+    return [Budget.of(budget).share(network) for budget in budgets]
 
 
 def require_priority(priority: Any) -> None:
@@ -230,8 +290,8 @@ def removal_order(priority: np.ndarray | xr.DataArray) -> np.ndarray:
 def select_breaks(
     priority: xr.DataArray | np.ndarray,
     *,
-    budget: float | Budget,
-    unit: BudgetUnit = "share",
+    budget: Amount,
+    unit: BudgetUnit | None = None,
     burnable: np.ndarray | xr.DataArray | None = None,
     cost: np.ndarray | xr.DataArray | None = None,
 ) -> xr.DataArray:
@@ -242,9 +302,10 @@ def select_breaks(
     priority
         (y, x), higher is cut earlier, -inf or NaN is never cut. Ties are cut by row, then column.
     budget
-        A `Budget`, or an amount in the given unit.
+        A number in the given unit, a `Budget`, or a text that tells its unit such as "10%", "5ha" or "20000eur".
     unit
-        `"share"`: d_f, a share from 0 to 1 of the cells that hold fuel; exactly round(d_f N_v) cells are cut.
+        What a number counts, a share by default. `"share"`: d_f, a share from 0 to 1 of the cells that hold fuel;
+        exactly round(d_f N_v) cells are cut.
         `"ha"`: hectares; the cells that fit into them. `"cost"`: in the unit of `cost`; the longest beginning of
         the ranking that costs no more.
     burnable

@@ -136,3 +136,77 @@ def test_another_variable_is_no_ranking():
         burn_curve(network, other, budgets=[0.0, 0.5], n_runs=2)
     with pytest.raises(InputError, match="expected priority"):
         evaluate(network, {"random": meant, "dem": other}, budgets=[0.0, 0.5], n_runs=2)
+
+
+@pytest.mark.parametrize(
+    ("text", "amount", "unit"),
+    [
+        ("10%", 0.1, "share"),
+        (" 10 % ", 0.1, "share"),
+        ("10 percent", 0.1, "share"),
+        ("10 per cent", 0.1, "share"),
+        ("0.1", 0.1, "share"),
+        ("5ha", 5.0, "ha"),
+        ("5 Hectares", 5.0, "ha"),
+        ("2 km2", 200.0, "ha"),
+        ("10 acres", 4.0468564224, "ha"),
+        ("20000eur", 2e4, "cost"),
+        ("20 000 EUR", 2e4, "cost"),
+        ("€20000", 2e4, "cost"),
+        ("US$ 1 500 000", 1.5e6, "cost"),
+        ("2e4 chf", 2e4, "cost"),
+        ("99.95 dollars", 99.95, "cost"),
+    ],
+)
+def test_a_budget_tells_what_it_counts(text, amount, unit):
+    assert Budget.of(text) == Budget(amount, unit)
+    assert Budget.of(Budget.of(text)) == Budget(amount, unit)
+
+
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(st.integers(0, 100_000))
+def test_percents_are_the_share_itself(thousandths):
+    """Not a neighbour of it, so that a plan for 35% is that for 0.35 to the byte."""
+    whole, rest = divmod(thousandths, 1000)
+    assert Budget.of(f"{whole}.{rest:03d}%").amount == float(f"{thousandths}e-5")
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "%", "ha", "abc", "5 apples", "5 m", "5 mm", "20,000 eur", "20.000 EUR", "1,5%", "1 2 eur", "5 unknown", "5% ha"],
+)
+def test_what_might_be_misread_is_refused(text):
+    with pytest.raises(ParameterError, match=r"10%.*5ha.*20000eur"):
+        Budget.of(text)
+
+
+def test_a_unit_may_be_given_beside_but_not_against():
+    assert Budget.of(5, "ha") == Budget.of("5", "ha") == Budget.of("5 ha", "ha") == Budget(5.0, "ha")
+    assert Budget.of(Budget(5.0, "ha"), "ha") == Budget(5.0, "ha")
+    for budget, unit in (("5ha", "cost"), ("10%", "ha"), ("20 eur", "share"), (Budget(0.1), "ha")):
+        with pytest.raises(ParameterError, match=f"given as {unit}.*leave the unit away"):
+            Budget.of(budget, unit)
+
+
+def test_texts_cut_what_numbers_cut():
+    priority = GRID.dataarray(np.random.default_rng(0).random(GRID.shape), "priority")
+    cost = np.full(GRID.shape, 2.0)
+    assert (select_breaks(priority, budget="35%") == select_breaks(priority, budget=0.35)).all()
+    assert (select_breaks(priority, budget="1ha") == select_breaks(priority, budget=1.0, unit="ha")).all()
+    assert select_breaks(priority, budget="21 eur", cost=cost).attrs["cells_cut"] == 10
+
+
+@settings(max_examples=30, deadline=None, derandomize=True)
+@given(st.integers(1, 500), st.floats(0, 30))
+def test_the_share_of_an_area_cuts_its_cells(n_burnable, hectares):
+    class Network:
+        grid = GRID
+
+    Network.n_burnable = n_burnable
+    budget = Budget(hectares, "ha")
+    cells = budget.cells(n_burnable=n_burnable, cell_area_ha=GRID.cell_area_ha)
+    if cells <= n_burnable:
+        assert Budget(budget.share(Network)).cells(n_burnable=n_burnable) == cells
+    assert Budget(0.07).share(Network) == 0.07
+    with pytest.raises(ParameterError, match="buys each ranking another area"):
+        Budget(5.0, "cost").share(Network)

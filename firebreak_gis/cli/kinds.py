@@ -50,8 +50,10 @@ class Kind(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
         """Return the value that the text stands for."""
         if self._read is None:
             return value
-        note(ctx, param, value)
-        return self._read(value, _flag(param))
+        found = self._read(value, _flag(param))
+        if not isinstance(found, float):  # a number stands for itself
+            note(ctx, param, value)
+        return found
 
 
 class Whole(click.types.IntParamType):
@@ -125,6 +127,8 @@ LEGEND = Kind("choice|file", legends.names)
 RANKING = Kind("choice", lambda: plugins.names("ranking"))
 RANKINGS = Kind("choices", lambda: plugins.names("ranking"), parsing.methods_list)
 SPREAD = Kind("choice", lambda: plugins.names("spread"))
+BUDGET = Kind("text", read=parsing.budget)
+BUDGETS = Kind("text", read=parsing.budget_list)
 NUMBERS = Kind("text", read=parsing.number_list)
 WORDS = Kind("text", read=parsing.word_list)
 VECTOR_OR_TABLE = Kind("vector|file")

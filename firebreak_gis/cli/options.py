@@ -288,17 +288,17 @@ def budget(command: F) -> F:
     options = [
         click.option(
             "--budget",
-            type=float,
-            default=0.1,
+            type=kinds.BUDGET,
+            metavar="AMOUNT",
+            default="10%",
             show_default=True,
-            help="How much to cut; by default a share of the cells that hold fuel, 0 to 1 (14 % is 0.14).",
+            help="How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or "
+            "money such as 20000eur (with --cost; in the currency of the costs).",
         ),
         click.option(
             "--budget-unit",
             type=click.Choice(["share", "ha", "cost"]),
-            default="share",
-            show_default=True,
-            help="What --budget counts: a share of the fuel, hectares, or money (with --cost).",
+            help="What a plain number for --budget counts: a share of the fuel, hectares, or money [default: share].",
         ),
     ]
     return _apply(options, command)

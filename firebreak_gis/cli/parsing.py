@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from firebreak_gis import plugins
+from firebreak_gis.breaks import Budget
 from firebreak_gis.errors import OutputError, ParameterError
 from firebreak_gis.files.formats import hint
 from firebreak_gis.rasters.units import SPEED, Quantity
@@ -54,6 +55,28 @@ def methods_list(text: str, option: str = "--methods") -> list[Method]:
     if not result or len(set(labels)) != len(labels):
         raise ParameterError(f"{option} got {text!r}, expected different names such as bonacich:beta=0.5,random")
     return result
+
+
+def budget(text: Any, _option: str = "") -> float | Budget:
+    """Read how much may be cut; a plain number is left to the unit that another option gives."""
+    try:
+        return float(text)
+    except ValueError:
+        return Budget.of(str(text))
+
+
+def budget_list(text: Any, option: str) -> list[Budget]:
+    """Split "5%,10%" or "5ha,10ha" into different budgets; plain numbers are shares.
+
+    Raises
+    ------
+    ParameterError
+        If a word is no budget, or there is none.
+    """
+    found = [Budget.of(word.strip()) for word in str(text).split(",") if word.strip()]
+    if not found:
+        raise ParameterError(f"{option} got {text!r}, expected budgets such as 5%,10% or 5ha,10ha")
+    return list(dict.fromkeys(found))
 
 
 def number_list(text: Any, option: str) -> list[float]:

@@ -153,7 +153,7 @@ def require_possible(request: PlanRequest) -> None:
 
     checked_residual(request.fires.leak)
     request.require_one_residual()
-    if request.design.budget_unit == "share":
+    if request.design.amount.unit == "share":
         request.design.amount.require()
     plugins.build_params(plugins.load("ranking", request.design.method), request.design.method_params)
     request.spread.require()

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from firebreak_gis.breaks import require_priority
+from firebreak_gis.breaks import Amount, require_priority, shares_of
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.containment import as_containment
@@ -41,7 +41,7 @@ def evaluate(
     network: SpreadNetwork,
     priorities: Mapping[str, np.ndarray | xr.DataArray | Ranker],
     *,
-    budgets: Sequence[float] | np.ndarray,
+    budgets: Sequence[Amount] | np.ndarray,
     baseline: str = "random",
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
@@ -68,7 +68,7 @@ def evaluate(
         By method name, `baseline` among them: a priority raster, or a function ``(budget, residual, progress)`` that
         returns the one of the plan for them, such as `planning.design.Designs`.
     budgets
-        Shares d_f of the cells that hold fuel, rising.
+        Shares d_f of the cells that hold fuel such as 0.05 or "5%", or areas such as "20ha"; rising.
     baseline
         Method that the others are tested against.
     ignitions, ignition_mode, n_runs, seed, threads, progress
@@ -119,7 +119,7 @@ def evaluate(
         network,
         priorities,
         request,
-        budgets=budgets,
+        budgets=shares_of(budgets, network),
         baseline=baseline,
         test=test,
         alpha=alpha,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import Budget, select_breaks
+from firebreak_gis.breaks import Amount, Budget, select_breaks, shares_of
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.curves import Ranker, burnt_under
 from firebreak_gis.evaluation.measures import judge, resamples
@@ -31,7 +31,7 @@ def compare(
     network: SpreadNetwork,
     methods: Sequence[str],
     *,
-    budgets: Sequence[float],
+    budgets: Sequence[Amount],
     residuals: Sequence[float] = (0.0,),
     ignitions: Any = None,
     n_runs: int = 100,
@@ -48,7 +48,7 @@ def compare(
     methods
         Names of rankings; each makes its plan for the budget and the residual.
     budgets
-        Shares of the cells that hold fuel, each from 0 to 1.
+        Shares of the cells that hold fuel such as 0.05 or "5%", or areas such as "20ha".
     residuals
         Shares of its spread probability that a treated cell keeps; 0 is a perfect break.
     ignitions, n_runs, seed, threads, progress
@@ -63,7 +63,7 @@ def compare(
     --------
     >>> import firebreak_gis as fb
     >>> network = fb.spread_network(fb.forest((20, 20), seed=1), model="artificial")
-    >>> table = fb.compare(network, ["dissection", "random"], budgets=[0.2], n_runs=50)
+    >>> table = fb.compare(network, ["dissection", "random"], budgets=["20%"], n_runs=50)
     >>> burnt = table.set_index("method")["R"]
     >>> bool(burnt["dissection"] < burnt["random"])
     True
@@ -71,7 +71,13 @@ def compare(
     plans = {name: Designs(network, name, stakes=Stakes(network), seed=seed) for name in methods}
     fires = FireRequest(ignitions=ignitions, n_runs=n_runs, seed=seed)
     result = compare_plans(
-        network, plans, fires, budgets=budgets, residuals=residuals, threads=threads, progress=progress
+        network,
+        plans,
+        fires,
+        budgets=shares_of(budgets, network),
+        residuals=residuals,
+        threads=threads,
+        progress=progress,
     )
     return comparison_table(result)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis import plugins, ranking
-from firebreak_gis.breaks import Budget, removal_order
+from firebreak_gis.breaks import Amount, Budget, removal_order
 from firebreak_gis.planning.refinement import refine as improve
 from firebreak_gis.planning.thickening import thickened
 from firebreak_gis.progress import Progress, part, silent
@@ -30,7 +30,7 @@ def rank(
     network: SpreadNetwork,
     method: str = "dissection",
     *,
-    budget: float | Budget = 0.1,
+    budget: Amount = 0.1,
     residual: float = 0.0,
     stakes: Stakes | None = None,
     elevation: Plane | None = None,
@@ -48,8 +48,8 @@ def rank(
     method
         Name of a ranking (`firebreak methods` lists them).
     budget
-        What the ranking is for: a share of the cells that hold fuel, or a `breaks.Budget`. Patterns are laid for it;
-        most methods give one ranking for all budgets.
+        What the ranking is for: a share of the cells that hold fuel, a text such as "5ha", or a `breaks.Budget`.
+        Patterns are laid for it; most methods give one ranking for all budgets.
     residual
         Share of its spread probability that a treated cell keeps; 0 is a perfect break.
     stakes

@@ -88,8 +88,8 @@ class Plan:
         """What was asked for, as plain data for an account of the plan."""
         design, spread, fires = self.request.design, self.request.spread, self.judged.fires
         return {
-            "budget": design.budget,
-            "budget_unit": design.budget_unit,
+            "budget": design.amount.amount,
+            "budget_unit": design.amount.unit,
             "d_f": self.share,
             "method": design.method,
             "method_params": dict(design.method_params),

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import BudgetUnit, select_breaks
+from firebreak_gis.breaks import Amount, BudgetUnit, select_breaks
 from firebreak_gis.construction.treatments import as_treatments, totals
 from firebreak_gis.evaluation.curves import evaluate_fires
 from firebreak_gis.landscape.target_grid import Account
@@ -45,8 +45,8 @@ BASELINES = ("random", "flammability")
 def plan(
     landscape: xr.Dataset,
     *,
-    budget: float = 0.1,
-    budget_unit: BudgetUnit = "share",
+    budget: Amount = 0.1,
+    budget_unit: BudgetUnit | None = None,
     method: str = "dissection",
     method_params: Mapping[str, Any] | None = None,
     model: str = "alexandridis",
@@ -84,7 +84,8 @@ def plan(
     landscape
         As `read_landscape` returns it.
     budget, budget_unit
-        How much to cut: a share d_f of the cells that hold fuel, hectares, or money (`cost`), see `select_breaks`.
+        How much to cut, see `select_breaks`: a share d_f of the cells that hold fuel such as 0.1 or "10%", hectares
+        such as "5ha", or money such as "20000eur" (with `cost`); or a number and its unit.
     method, method_params
         Ranking and its parameters, see `rank`. What the plan knows and the method asks for, such as the budget, it is
         told, see `design.design`; what is given here wins.
@@ -142,7 +143,7 @@ def plan(
     --------
     >>> import firebreak_gis as fb
     >>> layers = [f"sample_data/{name}.tif" for name in ("dem", "vegetation", "density")]
-    >>> made = fb.plan(fb.read_landscape(*layers, resolution=200.0), budget=0.1, n_runs=20)
+    >>> made = fb.plan(fb.read_landscape(*layers, resolution=200.0), budget="10%", n_runs=20)
     >>> made.summary["cells_cut"] == round(0.1 * made.network.n_burnable)
     True
     >>> made.summary["burnt_share_with_breaks"] < made.summary["burnt_share_without_breaks"]
@@ -288,7 +289,8 @@ def make_plan(
     objectives = {name: lost(plane, name) for name, plane in planes.objectives.items()}
     others = [name for name in BASELINES if name != asked.method]
     baselines = {name: rank(network, name, stakes=stakes, seed=fires.seed) for name in others}
-    share = asked.budget if asked.budget_unit == "share" else breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
+    cut = breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
+    share = asked.amount.amount if asked.amount.unit == "share" else cut
     rankings = {asked.method: priority, **baselines}
     paper = evaluate_fires(
         network,

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from firebreak_gis.breaks import Budget, BudgetUnit
+from firebreak_gis.breaks import Amount, Budget, BudgetUnit
 from firebreak_gis.construction.treatments import Treatments
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.request import OutputRequest
@@ -33,7 +33,7 @@ class DesignRequest:
     method, method_params
         Ranking and its parameters, see `design.design`.
     budget, budget_unit
-        See `breaks.Budget`.
+        See `breaks.Budget.of`.
     width
         Least width of the breaks [m].
     refine
@@ -46,17 +46,21 @@ class DesignRequest:
 
     method: str = "dissection"
     method_params: Mapping[str, Any] = field(default_factory=dict)
-    budget: float = 0.1
-    budget_unit: BudgetUnit = "share"
+    budget: Amount = 0.1
+    budget_unit: BudgetUnit | None = None
     width: float | None = None
     refine: bool = False
     treatments: Treatments | None = None
     goal: Goal = "mean"
 
+    def __post_init__(self) -> None:
+        """Refuse a budget that cannot be read, or that its unit contradicts."""
+        _ = self.amount
+
     @property
     def amount(self) -> Budget:
         """How much may be cut."""
-        return Budget(self.budget, self.budget_unit)
+        return Budget.of(self.budget, self.budget_unit)
 
 
 @dataclass(frozen=True)

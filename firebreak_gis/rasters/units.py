@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from typing import Any
 
 import numpy as np
@@ -14,6 +16,10 @@ from firebreak_gis.errors import InputError, ParameterError
 #: Words by which files say that they do not tell a unit.
 NOT_TOLD = frozenset({"", "-", "?", "n/a", "na", "none", "unspecified", "undefined", "unknown", "not specified"})
 _NUMBER = re.compile(r"^\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(?P<unit>[^\d\s+-].*)?$", re.IGNORECASE)
+#: A sign or code of a currency before a number; a blank between thousands; a point there would make 20.000 twenty.
+_SIGNED = re.compile(r"^([^\d\s.+-]+)\s*(\d.*)$")
+_BLANK = re.compile(r"(?<=\d)\s(?=\d{3}(?!\d))")
+_THOUSANDS = re.compile(r"\d{1,3}\.\d{3}")
 _IN_TEXT = re.compile(r"[\[(](?P<unit>[^\[\]()]+)[\])]\s*$")
 
 
@@ -181,7 +187,32 @@ _AREAS = {
     **dict.fromkeys(("km2", "km²", "km^2", "sqkm"), 0.01),
     **dict.fromkeys(("acre", "acres", "ac"), 10_000.0 / _ACRE),
 }
+AREA = Quantity("an area", "ha", {word: 1.0 / factor for word, factor in _AREAS.items()})
+#: Codes of ISO 4217 that are in use, and what the same money is called in English.
+_CURRENCIES = """
+    aed afn all amd ang aoa ars aud awg azn bam bbd bdt bgn bhd bif bmd bnd bob brl bsd btn bwp byn bzd cad cdf chf clp
+    cny cop crc cup cve czk djf dkk dop dzd egp ern etb eur fjd fkp gbp gel ghs gip gmd gnf gtq gyd hkd hnl htg huf idr
+    ils inr iqd irr isk jmd jod jpy kes kgs khr kmf kpw krw kwd kyd kzt lak lbp lkr lrd lsl lyd mad mdl mga mkd mmk mnt
+    mop mru mur mvr mwk mxn myr mzn nad ngn nio nok npr nzd omr pab pen pgk php pkr pln pyg qar ron rsd rub rwf sar sbd
+    scr sdg sek sgd shp sle sos srd ssp stn svc syp szl thb tjs tmt tnd top try ttd twd tzs uah ugx usd uyu uzs ves vnd
+    vuv wst xaf xcd xof xpf yer zar zmw zwg
+    cost money euro euros dollar dollars pound pounds franc francs peso pesos real reais yen yuan rand lira rupee rupees
+    krona kronor krone kroner zloty
+    """
 QUANTITIES = (LENGTH, SPEED, SHARE, ANGLE)
+
+
+def is_money(unit: str) -> bool:
+    """Tell whether a unit is a currency: its code, its sign, or its name; or the word "cost" or "money".
+
+    Examples
+    --------
+    >>> is_money("EUR"), is_money("€"), is_money("US$"), is_money("sqm")
+    (True, True, True, False)
+    """
+    word = _word(unit)
+    letters = "".join(letter for letter in word if unicodedata.category(letter) != "Sc")
+    return word in _CURRENCIES.split() or (letters != word and len(letters) <= 3)
 
 
 def told(unit: str) -> str:
@@ -252,6 +283,33 @@ def read_number(text: Any, quantity: Quantity) -> float | None:
             f"in {quantity.unit}, or with one of: {_examples(quantity)}"
         )
     return float(quantity.convert(float(found["number"]), found["unit"]))
+
+
+def read_amount(text: str) -> tuple[float, str] | None:
+    """Return how much may be cut, and what it counts: "share", "ha", "cost" (money), or "" where no unit is told.
+
+    Examples
+    --------
+    >>> read_amount("35%"), read_amount("12 acres"), read_amount("$20 000"), read_amount("0.1")
+    ((0.35, 'share'), (4.8562277, 'ha'), (20000.0, 'cost'), (0.1, ''))
+    >>> read_amount("20.000 EUR") is None  # twenty, or twenty thousand
+    True
+    """
+    try:
+        return float(text), ""
+    except ValueError:
+        found = _NUMBER.match(_SIGNED.sub(r"\2 \1", _BLANK.sub("", text.strip())))
+    if found is None:
+        return None
+    number, unit = found["number"], (found["unit"] or "").strip()
+    if not unit or is_money(unit):
+        return None if unit and _THOUSANDS.fullmatch(number) else (float(number), "cost" if unit else "")
+    for quantity, word in ((SHARE, "share"), (AREA, "ha")):
+        if told(unit) and quantity.knows(unit):
+            # In decimals, so that 35% is 0.35 and nothing beside it.
+            factor = Decimal(repr(round(quantity.convert(1.0, unit), 12)))
+            return float(Decimal(number) * factor), word
+    return None
 
 
 def require_known(unit: str, quantity: Quantity, where: str) -> None:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import Budget, removal_order, require_priority
+from firebreak_gis.breaks import Amount, Budget, removal_order, require_priority, shares_of
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.schema import annotate
@@ -280,7 +280,7 @@ def burn_curve(
     network: SpreadNetwork,
     priority: np.ndarray | xr.DataArray,
     *,
-    budgets: Sequence[float] | np.ndarray,
+    budgets: Sequence[Amount] | np.ndarray,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
     n_runs: int = 100,
@@ -299,7 +299,7 @@ def burn_curve(
     priority
         (y, x), higher is cut earlier, -inf is never cut.
     budgets
-        Shares d_f of the cells that hold fuel, rising, each from 0 to 1.
+        Shares d_f of the cells that hold fuel such as 0.05 or "5%", or areas such as "20ha"; rising.
     ignitions, ignition_mode, n_runs, seed, threads, progress
         As in `simulate`.
 
@@ -317,7 +317,8 @@ def burn_curve(
     (50, 3, True)
     """
     request = FireRequest(ignitions, ignition_mode, n_runs, seed)
-    return burn_budgets(network, priority, request, budgets=budgets, threads=threads, progress=progress)
+    shares = shares_of(budgets, network)
+    return burn_budgets(network, priority, request, budgets=shares, threads=threads, progress=progress)
 
 
 def burn_budgets(

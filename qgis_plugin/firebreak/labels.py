@@ -18,8 +18,8 @@ LABELS: Mapping[str, str] = {
     "priority": "Cutting priority",
     "mask": "Fire breaks",
     "line_width": "Width of breaks that are lines [m], narrower than a cell too",
-    "budget": "Budget (by default a share of the fuel)",
-    "budget_unit": "Unit of the budget",
+    "budget": "Budget, such as 10%, 5ha or 20000eur",
+    "budget_unit": "Unit of a budget that is a plain number",
     "refine": "Improve the breaks on simulated fires (takes longer)",
     "width": "Least width of the breaks [m]",
     "residual": "Share of the spread that a break lets through",
@@ -52,7 +52,7 @@ LABELS: Mapping[str, str] = {
     "hold": "How often a break holds, such as 0.47",
     "embers": "Embers",
     "baseline": "Ranking to test against",
-    "budgets": "Budgets, separated by commas",
+    "budgets": "Budgets, such as 5%, 10%",
     "model": "Spread model",
     "wind_speed": "Wind speed [m/s]",
     "wind_from": "Wind from [degrees clockwise from north]",
@@ -156,6 +156,8 @@ HELP_OF_FORMS: Mapping[str, str] = {
     "method": "By which cells are ranked; higher is cut earlier. All are described below.",
     "method_list": "Rankings to hold against each other; all are described below.",
     "model": "How fire gets from a cell to its neighbours; all are described below.",
+    "budget": "How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or money such "
+    "as 20000eur, in the currency of the costs.",
     "wind_speed": "Wind speed at mid-flame height in m/s, or a raster of it on any grid.",
     "legend": "What the vegetation codes mean: a built-in legend, or a CSV file of your own.",
     "density_legend": "What the density codes mean: a built-in legend, or a CSV file of your own.",
@@ -166,7 +168,6 @@ HELP_OF_FORMS: Mapping[str, str] = {
 
 #: Ranges of numbers, None where open; the engine checks them again.
 RANGES: Mapping[str, tuple[float | None, float | None]] = {
-    "budget": (0.0, None),
     "width": (0.0, None),
     "residual": (0.0, 1.0),
     "alpha": (0.0, 1.0),

@@ -111,7 +111,7 @@ def test_breaks_warn_of_a_ranking_for_another_budget(files, tmp_path):
 
 def test_tags_that_are_no_budget_are_no_budget():
     plane = Grid((2, 3)).dataarray(np.ones((2, 3)), "priority")
-    for text in ("", "much", "0.1 acres", "2.0 share", "nan ha"):
+    for text in ("", "much", "0.1 apples", "2.0 share", "nan ha"):
         assert Budget.made_for(plane.assign_attrs(made_for=text)) is None
     assert Budget.made_for(plane.assign_attrs(made_for="2.5 ha")) == Budget(2.5, "ha")
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import numpy as np
     import xarray as xr
 
-    from firebreak_gis.breaks import BudgetUnit
+    from firebreak_gis.breaks import Budget, BudgetUnit
 
 #: Place in the list of commands, which is the order of the work.
 STEP = 5
@@ -32,7 +32,7 @@ STEP = 5
     "--cost",
     type=kinds.VECTOR_OR_RASTER,
     metavar="PATH",
-    help="Cost per hectare, for --budget-unit cost: a raster, or polygons with --cost-field.",
+    help="Cost per hectare, for budgets of money: a raster, or polygons with --cost-field.",
 )
 @click.option("--cost-field", metavar="NAME", help="Column of the cost polygons.")
 @stakes_options.cost_default
@@ -51,8 +51,8 @@ def command(
     priority: str,
     output: OutputRequest,
     polygons: str | None,
-    budget: float,
-    budget_unit: BudgetUnit,
+    budget: float | Budget,
+    budget_unit: BudgetUnit | None,
     cost: str | None,
     cost_field: str | None,
     cost_default: float | None,
@@ -70,6 +70,7 @@ def command(
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.vectors import require_writable_vector
 
+    amount = Budget.of(budget, budget_unit)
     files = [output.output] + ([polygons] if polygons else [])
     inputs = files_behind([priority] + ([cost] if cost else []))
     require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
@@ -79,7 +80,7 @@ def command(
     prices = None
     if cost or cost_default is not None:
         ranking, prices = _priced(ranking, session, StakesRequest(cost, cost_field, cost_default))
-    amount, made = Budget(budget, budget_unit), Budget.made_for(ranking)
+    made = Budget.made_for(ranking)
     breaks = select_breaks(ranking, budget=amount, cost=prices)
     if made is not None and made != amount:
         session.warn(
@@ -91,7 +92,7 @@ def command(
             output.output,
             breaks,
             overwrite=output.overwrite,
-            provenance=provenance({"budget": budget, "unit": budget_unit}),
+            provenance=provenance({"budget": float(amount.amount), "unit": amount.unit}),
             creation_options=output.creation_options,
         )
         if polygons:

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+    from firebreak_gis.breaks import Budget
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.stakes import Stakes
 
@@ -125,11 +126,11 @@ OUTPUTS: tuple[Output[_Compared], ...] = (
 )
 @click.option(
     "--budgets",
-    type=kinds.NUMBERS,
-    default="0.01,0.025,0.05,0.1,0.14",
+    type=kinds.BUDGETS,
+    default="1%,2.5%,5%,10%,14%",
     show_default=True,
     metavar="LIST",
-    help="Shares to cut, separated by commas.",
+    help="How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.",
 )
 @click.option(
     "--residuals",
@@ -168,7 +169,7 @@ def command(
     at_stake: StakesRequest,
     timeless: bool,
     method_list: list[parsing.Method],
-    budgets: list[float],
+    budgets: list[Budget],
     residuals: list[float],
     expected_fires: float,
     dem: str | None,
@@ -220,7 +221,7 @@ def command(
         barred,
         plans,
         fires,
-        budgets=budgets,
+        budgets=sorted({budget.share(barred) for budget in budgets}),
         residuals=residuals,
         value=placed.value if at_stake.valued else None,
         cost=placed.cost if placed.priced else None,
@@ -254,10 +255,9 @@ def command(
 
 
 def _require_possible(
-    network: SpreadNetwork, placed: Stakes, methods: list[parsing.Method], budgets: list[float], residuals: list[float]
+    network: SpreadNetwork, placed: Stakes, methods: list[parsing.Method], budgets: list[Budget], residuals: list[float]
 ) -> None:
     """Refuse before the first ranking what a later one would be refused for."""
-    from firebreak_gis.breaks import Budget
     from firebreak_gis.network import checked_residual
     from firebreak_gis.planning.feasibility import feasibility
 
@@ -274,5 +274,5 @@ def _require_possible(
             problems.append(error)
     for budget in budgets:
         told = {str(problem) for problem in problems}
-        problems += [p for p in feasibility(network, placed, budget=Budget(budget)).problems if str(p) not in told]
+        problems += [p for p in feasibility(network, placed, budget=budget).problems if str(p) not in told]
     raise_together(problems)

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
+    from firebreak_gis.breaks import Budget
     from firebreak_gis.evaluation.curves import Test
 
 
@@ -121,10 +122,11 @@ STEP = 8
 )
 @click.option(
     "--budgets",
-    type=kinds.NUMBERS,
+    type=kinds.BUDGETS,
     metavar="LIST",
-    help="Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, "
-    "with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].",
+    help="How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha [default: "
+    "0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, "
+    "0.075, 0.1, 0.15, 0.2].",
 )
 @click.option(
     "--test",
@@ -154,7 +156,7 @@ def command(
     timeless: bool,
     method_list: list[parsing.Method],
     baseline: str,
-    budgets: list[float] | None,
+    budgets: list[Budget] | None,
     test: Test,
     alpha: float,
     dem: str | None,
@@ -196,7 +198,8 @@ def command(
     fires = checked_fires(judged.fires, untouched, session)
     for sentence in judged.notes:
         session.warn(sentence)
-    shares = budgets or (few_budgets(0.05, 0.1) if judged.reburnt else default_budgets())
+    usual = few_budgets(0.05, 0.1) if judged.reburnt else default_budgets()
+    shares = sorted({budget.share(untouched) for budget in budgets}) if budgets else usual
     elevation = ridges(dem, untouched.grid)
     # A curve needs each plan once, so only the last is kept.
     priorities = {

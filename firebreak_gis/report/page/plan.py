@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from firebreak_gis.breaks import Budget
 from firebreak_gis.grid import Grid, crs_name
 from firebreak_gis.report.page import pictures
 from firebreak_gis.report.page.content import Curve, Outlines, Page, Picture, Row
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 
 #: Colours of stages of construction, first to last, told apart on light and dark ground.
 _STAGE_COLOURS = ("#7a0177", "#c51b8a", "#f768a1", "#2c7fb8", "#1f4fd8")
-_UNIT_NAMES = {"ha": "hectares", "share": "of the fuel", "cost": "money"}
 
 
 def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
@@ -101,11 +101,10 @@ def comparison_page(table: pd.DataFrame, account: Mapping[str, Any]) -> Page:
 def plan_title(account: Mapping[str, Any]) -> str:
     """What the account of a plan calls it: its method and its budget."""
     asked = account.get("parameters", {})
-    unit = asked.get("budget_unit", "share")
-    budget = asked.get("budget", 0.1)
-    amount = (
-        f"{100 * float(budget):.3g} % of the fuel" if unit == "share" else f"{budget} {_UNIT_NAMES.get(unit, unit)}"
-    )
+    asked_for = asked.get("budget", 0.1)
+    budget = Budget.of(asked_for, None if isinstance(asked_for, str) else asked.get("budget_unit"))
+    words = {"share": f"{100 * budget.amount:.3g} % of the fuel", "ha": f"{budget.amount:g} ha"}
+    amount = words.get(budget.unit) or (asked_for if isinstance(asked_for, str) else f"{budget.amount:,.0f} (cost)")
     return f"Fire breaks by {asked.get('method', 'dissection')}, {amount}"
 
 
