@@ -13,20 +13,29 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.2.0"
 
 if TYPE_CHECKING:
-    from firebreak_gis.breaks import break_polygons, removal_order, select_breaks
+    from firebreak_gis.breaks import Budget, break_polygons, removal_order, select_breaks
     from firebreak_gis.construction.compartments import compartments_of
     from firebreak_gis.construction.segments import segments_of
     from firebreak_gis.errors import Cancelled, FirebreakError
     from firebreak_gis.evaluation.calibration import calibrate_scars, calibrate_sizes
     from firebreak_gis.evaluation.curves import evaluate
     from firebreak_gis.evaluation.forecasting import validate
-    from firebreak_gis.landscape import read_landscape
+    from firebreak_gis.evaluation.paper.artificial_forest import artificial_forest
+    from firebreak_gis.evaluation.paper.landscape import landscape_experiment
+    from firebreak_gis.landscape import read_landscape, read_landscape_folder, write_landscape
+    from firebreak_gis.landscape.legends import read_legend
     from firebreak_gis.landscape.lines import line_breaks
+    from firebreak_gis.landscape.samples import sample_layers
+    from firebreak_gis.landscape.siting import site
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.planning.comparison import compare
     from firebreak_gis.planning.design import rank
+    from firebreak_gis.planning.outputs import write_plan
     from firebreak_gis.planning.pipeline import plan
+    from firebreak_gis.plugins import methods
     from firebreak_gis.rasters import write_raster
+    from firebreak_gis.report.exploring import explore
+    from firebreak_gis.report.page.folder import report_page
     from firebreak_gis.report.plotting import plot
     from firebreak_gis.simulation.distributed import simulate_distributed
     from firebreak_gis.simulation.embers import Embers
@@ -38,10 +47,13 @@ if TYPE_CHECKING:
     from firebreak_gis.spread import spread_network, weather_networks
     from firebreak_gis.spread.artificial import forest
     from firebreak_gis.spread.raster import read_network
+    from firebreak_gis.stakes import Stakes
     from firebreak_gis.vectors import write_vector
 
 _HOMES = {
+    "artificial_forest": "evaluation.paper.artificial_forest",
     "break_polygons": "breaks",
+    "Budget": "breaks",
     "burn_curve": "simulation.fires",
     "calibrate_scars": "evaluation.calibration",
     "calibrate_sizes": "evaluation.calibration",
@@ -50,29 +62,59 @@ _HOMES = {
     "compartments_of": "construction.compartments",
     "Embers": "simulation.embers",
     "evaluate": "evaluation.curves",
+    "explore": "report.exploring",
     "FirebreakError": "errors",
     "forest": "spread.artificial",
-    "ignition_places": "simulation.ignitions",
     "Hold": "simulation.holding",
+    "ignition_places": "simulation.ignitions",
+    "landscape_experiment": "evaluation.paper.landscape",
     "line_breaks": "landscape.lines",
+    "methods": "plugins",
     "plan": "planning.pipeline",
     "plot": "report.plotting",
     "Products": "simulation.products",
     "rank": "planning.design",
     "read_landscape": "landscape",
+    "read_landscape_folder": "landscape",
+    "read_legend": "landscape.legends",
     "read_network": "spread.raster",
     "read_weather": "simulation.weather_reading",
     "removal_order": "breaks",
+    "report_page": "report.page.folder",
+    "sample_layers": "landscape.samples",
     "segments_of": "construction.segments",
     "select_breaks": "breaks",
     "simulate": "simulation.fires",
     "simulate_distributed": "simulation.distributed",
+    "site": "landscape.siting",
     "spread_network": "spread",
     "SpreadNetwork": "network",
-    "weather_networks": "spread",
+    "Stakes": "stakes",
     "validate": "evaluation.forecasting",
+    "weather_networks": "spread",
+    "write_landscape": "landscape",
+    "write_plan": "planning.outputs",
     "write_raster": "rasters",
     "write_vector": "vectors",
+}
+
+#: What each command is called here, where it has another name; None for those that look after the installation.
+COMMANDS: dict[str, str | None] = {
+    "align": "read_landscape",
+    "breaks": "select_breaks",
+    "burn": "simulate",
+    "calibrate": "calibrate_scars",
+    "demo": "sample_layers",
+    "describe": None,
+    "doctor": None,
+    "legends": "read_legend",
+    "network": "spread_network",
+    "report": "report_page",
+    "reproduce": "landscape_experiment",
+    "segments": "segments_of",
+    "siting": "site",
+    "warmup": None,
+    "weather": "read_weather",
 }
 
 __all__ = ["__version__", *_HOMES]
@@ -80,7 +122,9 @@ __all__ = ["__version__", *_HOMES]
 
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        meant = COMMANDS.get(name)
+        hint = f"; firebreak {name} is fb.{meant}" if meant else ""
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}{hint}")
     value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
     globals()[name] = value
     return value

@@ -11,6 +11,7 @@ import numpy as np
 from firebreak_gis.errors import GridError, InputError, MissingComponentError, ParameterError
 from firebreak_gis.grid import UNREFERENCED, Grid, parse_crs
 from firebreak_gis.lattice import COL_STEP, DIRECTIONS, LONGEST, NEVER, OPPOSITE, ROW_STEP
+from firebreak_gis.schema import Shown, annotate
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -24,7 +25,7 @@ Boundary = Literal["open", "periodic"]
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class SpreadNetwork:
+class SpreadNetwork(Shown):
     """A directed network on a square grid; the one object that all rankings and simulations take.
 
     Parameters
@@ -56,6 +57,12 @@ class SpreadNetwork:
         If a shape does not fit.
     InputError
         If a probability is NaN or outside [0, 1], an edge has no time, or a heat is negative or missing on fuel.
+
+    Examples
+    --------
+    >>> network = SpreadNetwork(np.full((8, 3, 4), 0.5))
+    >>> network.n_burnable, network.treated(np.eye(3, 4)).probability[:, 1, 1].any()
+    (12, np.False_)
     """
 
     probability: np.ndarray
@@ -121,9 +128,14 @@ class SpreadNetwork:
         ):
             object.__setattr__(self, name, value)
 
-    def __repr__(self) -> str:
-        kind = ", periodic" * (self.boundary == "periodic") + ", with travel times" * self.timed
-        return f"<SpreadNetwork: {self.n_burnable} cells with fuel of {self.grid.describe()}{kind}>"
+    def facts(self) -> dict[str, object]:
+        """Fuel, grid, boundary and times, as `repr` and notebooks show them."""
+        return {
+            "fuel": f"{self.n_burnable:,} cells",
+            "grid": self.grid.describe(),
+            "boundary": self.boundary,
+            "times": ("no", "yes")[self.timed],
+        }
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -322,8 +334,6 @@ class SpreadNetwork:
 
     def to_raster(self) -> xr.DataArray:
         """Return the probabilities as a DataArray (direction, y, x) with CRS, NaN where there is no fuel."""
-        from firebreak_gis.schema import annotate
-
         values = np.where(self.burnable, self.probability, np.float32(np.nan))
         data = annotate(self.grid.dataarray(values, "spread_probability"))
         return data.assign_attrs(boundary=self.boundary)
@@ -337,8 +347,6 @@ class SpreadNetwork:
             `spread_probability` (direction, y, x) and, where known, `travel_time` (direction, y, x) [s, NaN where
             there is no edge] and `heat` (y, x) [kJ/m2].
         """
-        from firebreak_gis.schema import annotate
-
         planes = {"spread_probability": self.to_raster()}
         if self.travel_time is not None:
             times = self.travel_time.astype(np.float32)

@@ -231,6 +231,29 @@ def effective(module: ModuleType, params: Any) -> Any:
     return function(params) if function else params
 
 
+def methods(kind: str | None = None) -> list[dict[str, Any]]:
+    """Describe the rankings and spread models that there are, those of other packages included.
+
+    Parameters
+    ----------
+    kind
+        `"ranking"` or `"spread"`; None: both.
+
+    Returns
+    -------
+    list of dict
+        `name`, `kind`, `summary`, `text` and `parameters` of each, by kind and name.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> [method["name"] for method in fb.methods("spread")]
+    ['alexandridis', 'artificial', 'raster']
+    """
+    kinds = KINDS if kind is None else (kind,)
+    return [describe(each, name) for each in kinds for name in names(each)]
+
+
 def describe(kind: str, name: str) -> dict[str, Any]:
     """Everything known of a plug-in, as plain data (JSON types)."""
     module = load(kind, name)

@@ -1,13 +1,15 @@
 """Every variable that passes between the stages: name, dims, dtype, units, range, meaning; columns of vector files.
 
 `annotate` writes the CF attributes, `validate` collects every problem before it raises, and the
-raster writer takes units, nodata and colours from here, so a name never changes its unit.
+raster writer takes units, nodata and colours from here, so a name never changes its unit. `Shown` is how the objects
+that hold them print.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from html import escape
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -254,6 +256,43 @@ def annotate(data: xr.DataArray) -> xr.DataArray:
         attrs["flag_values"] = np.array(list(variable.classes), dtype=variable.dtype)
         attrs["flag_meanings"] = " ".join(text.replace(" ", "_") for text in variable.classes.values())
     return data.assign_attrs(attrs)
+
+
+class Shown:
+    """Prints as one line, and in a notebook as a small table: `facts` says what of it."""
+
+    def facts(self) -> Mapping[str, object]:
+        """What matters, by name, as short text."""
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        return one_line(type(self).__name__, self.facts())
+
+    def _repr_html_(self) -> str:
+        return card(type(self).__name__, self.facts())
+
+
+def one_line(name: str, facts: Mapping[str, object]) -> str:
+    """Facts for a terminal.
+
+    Examples
+    --------
+    >>> one_line("Plan", {"by": "dissection", "cuts": "5 ha"})
+    '<Plan: by dissection, cuts 5 ha>'
+    """
+    return f"<{name}: {', '.join(f'{key} {value}' for key, value in facts.items())}>"
+
+
+def card(name: str, facts: Mapping[str, object], more: str = "") -> str:
+    """Facts for a notebook, as HTML; `more` is HTML that comes after them.
+
+    Examples
+    --------
+    >>> card("Plan", {"by": "<mine>"})
+    '<div><strong>Plan</strong><table><tr><th>by</th><td>&lt;mine&gt;</td></tr></table></div>'
+    """
+    rows = "".join(f"<tr><th>{escape(key)}</th><td>{escape(str(value))}</td></tr>" for key, value in facts.items())
+    return f"<div><strong>{escape(name)}</strong><table>{rows}</table>{more}</div>"
 
 
 def validate(dataset: xr.Dataset, names: Iterable[str]) -> None:

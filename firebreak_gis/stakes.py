@@ -10,6 +10,7 @@ import numpy as np
 
 from firebreak_gis.errors import FirebreakError, InputError
 from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.schema import Shown
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -64,8 +65,8 @@ class StakePlanes:
         return network, stakes
 
 
-@dataclass(frozen=True, eq=False, init=False)
-class Stakes:
+@dataclass(frozen=True, eq=False, init=False, repr=False)
+class Stakes(Shown):
     """Costs, protected cells, values at risk and ignitions on the grid of one network.
 
     Parameters
@@ -98,6 +99,15 @@ class Stakes:
     InputError
         Naming every problem: another grid, negative or infinite numbers, NaN on fuel, nothing of value, nowhere
         to ignite.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
+    >>> stakes = fb.Stakes(network, cost=np.where(network.burnable, 350.0, 0.0))
+    >>> ranked = fb.rank(network, "degree", stakes=stakes)
+    >>> fb.select_breaks(ranked, budget="1000 EUR", cost=stakes.cost).attrs["cells_cut"]
+    2
     """
 
     cost: np.ndarray
@@ -106,6 +116,15 @@ class Stakes:
     ignition: np.ndarray
     difficulty: np.ndarray
     priced: bool
+
+    def facts(self) -> dict[str, object]:
+        """What was given, as `repr` and notebooks show it."""
+        return {
+            "cost": f"{self.cost.sum():,.6g} in all" if self.priced else "not given",
+            "protected": f"{np.count_nonzero(self.protected):,} cells",
+            "value": f"{self.value.sum():,.6g} in all",
+            "ignition": f"{np.count_nonzero(self.ignition):,} cells",
+        }
 
     def __init__(
         self,

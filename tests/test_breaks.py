@@ -173,7 +173,21 @@ def test_percents_are_the_share_itself(thousandths):
 
 @pytest.mark.parametrize(
     "text",
-    ["", "%", "ha", "abc", "5 apples", "5 m", "5 mm", "20,000 eur", "20.000 EUR", "1,5%", "1 2 eur", "5 unknown", "5% ha"],
+    [
+        "",
+        "%",
+        "ha",
+        "abc",
+        "5 apples",
+        "5 m",
+        "5 mm",
+        "20,000 eur",
+        "20.000 EUR",
+        "1,5%",
+        "1 2 eur",
+        "5 unknown",
+        "5% ha",
+    ],
 )
 def test_what_might_be_misread_is_refused(text):
     with pytest.raises(ParameterError, match=r"10%.*5ha.*20000eur"):

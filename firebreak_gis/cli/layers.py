@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.cli.session import Session
-from firebreak_gis.errors import MissingComponentError, ParameterError
+from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.gate import is_file
 from firebreak_gis.rasters import file_of
 
@@ -166,17 +165,3 @@ def checked_fires(request: FireRequest, network: SpreadNetwork, session: Session
         session.say(sentence)
     require_runs(places, mode=request.ignition_mode, n_runs=request.n_runs, seed=request.seed)
     return replace(request, ignitions=places)
-
-
-def sample_layers() -> dict[str, str]:
-    """The sample landscape, from the installed package or the checkout."""
-    import firebreak_gis
-
-    package = Path(firebreak_gis.__file__).parent
-    for folder in (package / "sample_data", package.parent / "sample_data"):
-        if (folder / "dem.tif").is_file():
-            return {
-                name: str(folder / f"{stem}.tif")
-                for name, stem in (("dem", "dem"), ("vegetation", "vegetation"), ("density", "density"))
-            }
-    raise MissingComponentError("the sample data is not installed; give DEM, VEGETATION and DENSITY")

@@ -12,6 +12,7 @@ from firebreak_gis.construction.compartments import Compartments, split, weights
 from firebreak_gis.construction.sequence import construction_order, gains
 from firebreak_gis.grid import outlines
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
+from firebreak_gis.schema import card, one_line
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
 
     Plane = np.ndarray | xr.DataArray
+
+#: Rows of the table that a notebook shows.
+_SHOWN = 10
 
 
 class Segments(NamedTuple):
@@ -33,6 +37,23 @@ class Segments(NamedTuple):
 
     lines: gpd.GeoDataFrame
     polygons: gpd.GeoDataFrame
+
+    def facts(self) -> dict[str, object]:
+        """How many, how long and how large, as `repr` and notebooks show them."""
+        table = self.polygons
+        return {
+            "segments": len(table),
+            "stages": table["stage"].nunique(),
+            "length": f"{table['length_m'].sum() / 1000:,.4g} km",
+            "area": f"{table['area_ha'].sum():,.4g} ha",
+        }
+
+    def __repr__(self) -> str:
+        return one_line("Segments", self.facts())
+
+    def _repr_html_(self) -> str:
+        first = self.polygons.drop(columns="geometry").head(_SHOWN)
+        return card("Segments", self.facts(), first.to_html(index=False, float_format="{:.4g}".format, border=0))
 
 
 def segments_of(

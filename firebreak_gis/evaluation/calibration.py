@@ -28,6 +28,7 @@ from firebreak_gis.evaluation.forecasting import Case, growth_of, open_case, run
 from firebreak_gis.evaluation.request import HOURS_A_DAY
 from firebreak_gis.evaluation.skill import area_matched, overlap
 from firebreak_gis.progress import Progress, part
+from firebreak_gis.schema import Shown
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -46,8 +47,8 @@ _CLOSE, _MOST_TRIES = 0.03, 8
 _SLOWEST, _FASTEST = 0.005, 50.0
 
 
-@dataclass(frozen=True)
-class Calibration:
+@dataclass(frozen=True, repr=False)
+class Calibration(Shown):
     """What was fitted.
 
     Parameters
@@ -70,6 +71,13 @@ class Calibration:
     table: pd.DataFrame
     account: Mapping[str, Any] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+
+    def facts(self) -> dict[str, object]:
+        """What was fitted to what, as `repr` and notebooks show them."""
+        fitted = {f"{name}": value for name, value in self.parameters.items() if not isinstance(value, Mapping)}
+        inner = {k: v for value in self.parameters.values() if isinstance(value, Mapping) for k, v in value.items()}
+        shown = {name: f"{v:.4g}" if isinstance(v, float) else str(v) for name, v in {**fitted, **inner}.items()}
+        return {"fires": self.n_fires, "numbers": self.n_parameters, **shown}
 
     def config(self) -> str:
         """A configuration in TOML that every command takes (`--config`); what a command does not know it leaves."""

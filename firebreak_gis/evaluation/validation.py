@@ -21,6 +21,7 @@ from firebreak_gis.evaluation.skill import (
 )
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.scars import Scar
+from firebreak_gis.schema import Shown
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -55,8 +56,8 @@ class Forecast(NamedTuple):
     burnt: np.ndarray
 
 
-@dataclass(frozen=True)
-class Validation:
+@dataclass(frozen=True, repr=False)
+class Validation(Shown):
     """What came out.
 
     Parameters
@@ -91,6 +92,16 @@ class Validation:
     hours_to_size: float
     notes: tuple[str, ...] = ()
     account: Mapping[str, Any] = field(default_factory=dict)
+
+    def facts(self) -> dict[str, object]:
+        """Sizes and scores, as `repr` and notebooks show them."""
+        scores, area = self.scores["simulated"], self.grid.cell_area_ha
+        return {
+            "observed": f"{self.scar.burnt.sum() * area:,.4g} ha",
+            "simulated": f"{self.forecast.burnt.mean() * area:,.4g} ha",
+            "growth IoU": f"{scores['growth_iou']:.3g}",
+            "better than": ", ".join(name for name, better in self.beats.items() if better) or "no null model",
+        }
 
     @property
     def beats(self) -> dict[str, bool]:

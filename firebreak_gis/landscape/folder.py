@@ -45,6 +45,13 @@ def write_landscape(
     -------
     list of pathlib.Path
         The files, in order.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> files = fb.write_landscape(fb.read_landscape(**fb.sample_layers(), resolution=250.0), "land")
+    >>> [file.name for file in files]
+    ['elevation.tif', 'vegetation.tif', 'density.tif']
     """
     how = Writing(overwrite, forbid=list(forbid), creation_options=creation_options or {}, tags=provenance or {})
     return write_all(OUTPUTS, dataset, folder, how, variables=dataset)
@@ -95,6 +102,14 @@ def read_landscape_folder(folder: str | os.PathLike[str]) -> xr.Dataset:
     ------
     InputError
         If a layer is missing or damaged; `GridError` if the layers lie on different grids.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> landscape = fb.read_landscape(**fb.sample_layers(), resolution=250.0)
+    >>> files = fb.write_landscape(landscape, "land")
+    >>> bool((fb.read_landscape_folder("land")["elevation"] == landscape["elevation"]).all())
+    True
     """
     return LandscapeFolder(folder).read()
 

@@ -217,6 +217,13 @@ def site(
     -------
     xarray.Dataset
         `suitability` (y, x) float32, and each factor that went in as `suitability_NAME`.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> found = fb.site(fb.read_landscape(**fb.sample_layers(), resolution=250.0), ridge=2.0)
+    >>> 0.0 <= float(found["suitability"].min()) <= float(found["suitability"].max()) <= 1.0
+    True
     """
     import xarray as xr
 

@@ -267,4 +267,6 @@ def comparison_table(result: xr.Dataset) -> pd.DataFrame:
                 rows.append(
                     row | judge(burnt, lost, untreated, treated_ha=cells * area, cell_area_ha=area, picks=picks)
                 )
-    return pd.DataFrame(rows)
+    table = pd.DataFrame(rows)
+    table.attrs.update(n_burnable=n_burnable, cell_area_ha=area)  # for `plot`
+    return table

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,19 +19,21 @@ from firebreak_gis.planning.feasibility import Feasibility
 from firebreak_gis.planning.goals import goals_table
 from firebreak_gis.planning.judging import Judging, headline
 from firebreak_gis.planning.request import PlanRequest
+from firebreak_gis.schema import Shown, card
 from firebreak_gis.stakes import Stakes
 
 if TYPE_CHECKING:
     import geopandas as gpd
     import pandas as pd
     import xarray as xr
+    from matplotlib.figure import Figure
 
     from firebreak_gis.construction.treating import Treated
     from firebreak_gis.network import SpreadNetwork
 
 
 @dataclass(frozen=True, repr=False)
-class Plan:
+class Plan(Shown):
     """A plan of fire breaks and what it saves.
 
     Parameters
@@ -80,8 +83,55 @@ class Plan:
     treated: Treated | None = None
     objectives: Mapping[str, tuple[np.ndarray, np.ndarray]] = field(default_factory=dict)
 
-    def __repr__(self) -> str:
-        return f"<Plan by {self.request.design.method}: cuts {self.share:.3g} of the fuel of {self.network!r}>"
+    def facts(self) -> dict[str, object]:
+        """Ranking, cut, saving and grid, as `repr` shows them."""
+        area = self.network.grid.cell_area_ha
+        cut = int(np.count_nonzero(self.breaks.to_numpy() > 0))
+        before, after = (float(burns["fire_size"].mean()) * area for burns in (self.before, self.after))
+        return {
+            "ranking": self.request.design.method,
+            "cut": f"{cut * area:,.4g} ha ({100 * cut / max(self.network.n_burnable, 1):.3g} % of the fuel)",
+            "mean fire": f"{before:,.4g} ha without, {after:,.4g} ha with the breaks",
+            "fires": self.before.sizes["run"],
+            "grid": self.network.grid.describe(),
+        }
+
+    def _repr_html_(self) -> str:
+        told = "".join(f"<p>{escape(text)}</p>" for text in (*self.headline, *self.judged.assumptions))
+        return card("Plan", self.facts(), told)
+
+    def plot(self) -> Figure:
+        """Six panels: the landscape, the burns without and with the breaks, and the curve."""
+        from firebreak_gis.report.overview import overview_figure
+
+        return overview_figure(
+            self.landscape,
+            self.breaks,
+            self.before,
+            self.after,
+            self.evaluation,
+            title=self.title,
+            budget=float(self.share),
+            caption=" ".join(self.judged.assumptions),
+        )
+
+    def explore(self, **options: Any) -> Any:
+        """A map to pan and zoom, with layers to switch; needs folium, see `firebreak_gis.explore`."""
+        from firebreak_gis.report.exploring import explore_plan
+
+        return explore_plan(self, **options)
+
+    @property
+    def title(self) -> str:
+        """One line over a picture: ranking, cut, mean fires."""
+        summary = self.summary
+        return (
+            f"Fire breaks by {self.request.design.method}: "
+            f"{100 * self.share:.3g} % of the fuel cut ({summary['ha_cut']:,.0f} ha), "
+            f"mean fire {summary['fire_ha_without_breaks']:,.4g} "
+            f"\N{RIGHTWARDS ARROW} {summary['fire_ha_with_breaks']:,.4g} ha, "
+            f"{100 * summary['saved_share']:.3g} % saved"
+        )
 
     @property
     def parameters(self) -> dict[str, Any]:

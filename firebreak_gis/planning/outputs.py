@@ -69,19 +69,8 @@ def _compartments(plan: Plan, path: Path, how: Writing) -> None:
 
 def _overview(plan: Plan, path: Path, how: Writing) -> None:
     from firebreak_gis.report.figures import save
-    from firebreak_gis.report.overview import overview_figure
 
-    figure = overview_figure(
-        plan.landscape,
-        plan.breaks,
-        plan.before,
-        plan.after,
-        plan.evaluation,
-        title=_title(plan),
-        budget=float(plan.share),
-        caption=" ".join(plan.judged.assumptions),
-    )
-    save(figure, path, overwrite=how.overwrite)
+    save(plan.plot(), path, overwrite=how.overwrite)
 
 
 def _page(plan: Plan, path: Path, how: Writing) -> None:
@@ -202,6 +191,13 @@ def write_plan(
     OutputError
         If a file exists and `overwrite` is not set, or cannot be written; checked for all before the first is
         written.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> made = fb.plan(fb.read_landscape(**fb.sample_layers(), resolution=250.0), method="degree", n_runs=5)
+    >>> "report.html" in [file.name for file in fb.write_plan(made, "out")]
+    True
     """
     recorded = parameters or result.parameters
     how = Writing(
@@ -213,14 +209,3 @@ def write_plan(
         provenance(recorded, seed=result.request.fires.seed),
     )
     return write_all(OUTPUTS, result, folder, how, variables=result.landscape, progress=progress)
-
-
-def _title(result: Plan) -> str:
-    summary = result.summary
-    return (
-        f"Fire breaks by {result.request.design.method}: "
-        f"{100 * result.share:.3g} % of the fuel cut ({summary['ha_cut']:,.0f} ha), "
-        f"mean fire {summary['fire_ha_without_breaks']:,.4g} "
-        f"\N{RIGHTWARDS ARROW} {summary['fire_ha_with_breaks']:,.4g} ha, "
-        f"{100 * summary['saved_share']:.3g} % saved"
-    )

@@ -290,8 +290,8 @@ def read_amount(text: str) -> tuple[float, str] | None:
 
     Examples
     --------
-    >>> read_amount("35%"), read_amount("12 acres"), read_amount("$20 000"), read_amount("0.1")
-    ((0.35, 'share'), (4.8562277, 'ha'), (20000.0, 'cost'), (0.1, ''))
+    >>> read_amount("35%"), read_amount("2 km2"), read_amount("$20 000"), read_amount("0.1")
+    ((0.35, 'share'), (200.0, 'ha'), (20000.0, 'cost'), (0.1, ''))
     >>> read_amount("20.000 EUR") is None  # twenty, or twenty thousand
     True
     """

@@ -14,6 +14,7 @@ from firebreak_gis.kernels.draws import stream_key, uniforms
 from firebreak_gis.landscape.footprints import footprints
 from firebreak_gis.landscape.planes import ignition_source
 from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.schema import Shown
 from firebreak_gis.simulation.request import IgnitionMode, Outside
 from firebreak_gis.stakes import checked_amounts
 from firebreak_gis.vectors import is_vector
@@ -26,8 +27,8 @@ if TYPE_CHECKING:
 __all__ = ["IgnitionMode", "Ignitions", "Outside", "Places", "ignition_places", "resolve_ignitions"]
 
 
-@dataclass(frozen=True)
-class Ignitions:
+@dataclass(frozen=True, repr=False)
+class Ignitions(Shown):
     """Ignition cells of every run.
 
     Parameters
@@ -50,9 +51,13 @@ class Ignitions:
     at: np.ndarray | None = None
     notes: tuple[str, ...] = ()
 
+    def facts(self) -> dict[str, object]:
+        """How many runs start in how many cells, as `repr` shows it."""
+        return {"runs": self.starts.size - 1, "cells": self.cells.size}
 
-@dataclass(frozen=True, eq=False)
-class Places:
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Places(Shown):
     """Where fires may start on one network.
 
     Parameters
@@ -73,6 +78,12 @@ class Places:
     cells: np.ndarray
     notes: tuple[str, ...] = ()
     at: np.ndarray | None = None
+
+    def facts(self) -> dict[str, object]:
+        """How many places, or cells that are likely, as `repr` shows it."""
+        if self.weights is not None:
+            return {"cells": int(np.count_nonzero(self.weights)), "lit": "by their weights"}
+        return {"places": self.starts.size - 1, "cells": self.cells.size}
 
 
 def ignition_places(

@@ -18,6 +18,7 @@ import numpy as np
 
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.schema import Shown
 
 #: Greatest wind speed [m/s] that is taken for one.
 _STRONGEST = 60.0
@@ -74,8 +75,8 @@ class Spell:
         return len(self.steps) == 1
 
 
-@dataclass(frozen=True)
-class Weather:
+@dataclass(frozen=True, repr=False)
+class Weather(Shown):
     """An ensemble of weathers.
 
     Parameters
@@ -106,6 +107,15 @@ class Weather:
             problems.append("no weather has a weight above 0")
         if problems:
             raise InputError("the weather cannot be used: " + "; ".join(problems))
+
+    def facts(self) -> dict[str, object]:
+        """How many weathers of what wind, as `repr` and notebooks show them."""
+        return {
+            "weathers": len(self.spells),
+            "changing": sum(not spell.steady for spell in self.spells),
+            "mean wind": f"{self._mean(lambda step: step.wind_speed):.3g} m/s",
+            "durations": ("not told", "told")[self.timed],
+        }
 
     @property
     def steady(self) -> bool:
@@ -217,7 +227,7 @@ class Conditions(NamedTuple):
     times: tuple[np.ndarray, ...]
 
 
-class WeatherNetworks:
+class WeatherNetworks(Shown):
     """The networks of one landscape in every spell of a weather, made when asked for and kept for a while.
 
     `networks[i]` are the `Conditions` of `weather.spells[i]`. Made by `spread.weather_networks`.
@@ -243,6 +253,10 @@ class WeatherNetworks:
         self._build = build
         self._keep = keep
         self._kept: OrderedDict[tuple[Any, ...], Conditions] = OrderedDict()
+
+    def facts(self) -> dict[str, object]:
+        """Those of the weather."""
+        return self.weather.facts()
 
     def __len__(self) -> int:
         """Spells of the weather."""

@@ -1,4 +1,4 @@
-"""`--budget 10%`, `5ha`, `20000eur`: what is written so cuts what the plain number with its unit cuts, in every command."""
+"""`--budget 10%`, `5ha`, `20000eur` cut what the plain number with its unit cuts, in every command."""
 
 from __future__ import annotations
 

@@ -50,3 +50,17 @@ def test_every_public_function_has_an_example(name):
     function = getattr(fb, name)
     assert ">>> " in (inspect.getdoc(function) or ""), f"{name} in {inspect.getsourcefile(function)}"
     assert f"{function.__module__}.{function.__name__}" in {test.name for test in EXAMPLES}
+
+
+CLASSES = [
+    name
+    for name in fb.__all__
+    if inspect.isclass(getattr(fb, name)) and not issubclass(getattr(fb, name), BaseException)
+]
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_every_public_class_has_an_example(name):
+    kind = getattr(fb, name)
+    assert ">>> " in (inspect.getdoc(kind) or ""), f"{name} in {inspect.getsourcefile(kind)}"
+    assert f"{kind.__module__}.{kind.__name__}" in {test.name for test in EXAMPLES}

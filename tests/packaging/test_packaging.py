@@ -9,6 +9,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+import yaml
 
 import firebreak_gis
 
@@ -45,7 +46,6 @@ def test_the_recipe_needs_what_the_package_needs():
 
 @pytest.mark.parametrize("path", sorted((ROOT / ".github").rglob("*.yml")), ids=lambda p: p.name)
 def test_forms_and_workflows_parse(path):
-    yaml = pytest.importorskip("yaml", reason="PyYAML comes with dask, of the extra test")
     content = yaml.safe_load(path.read_text(encoding="utf-8"))
     assert content["name"]
     jobs = content.get("jobs", {})

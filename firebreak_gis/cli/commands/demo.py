@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from firebreak_gis.cli.layers import sample_layers
+from firebreak_gis.landscape.samples import sample_layers
 
 
 @click.command("demo", context_settings={"ignore_unknown_options": True})

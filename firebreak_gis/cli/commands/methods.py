@@ -17,7 +17,7 @@ from firebreak_gis.errors import ParameterError
 @options.common
 def command(session: Session, name: str | None) -> None:
     """List the rankings and spread models, or show one: NAME with its text and parameters."""
-    found = [plugins.describe(kind, n) for kind in plugins.KINDS for n in plugins.names(kind) if name in (None, n)]
+    found = [method for method in plugins.methods() if name in (None, method["name"])]
     if not found:
         raise ParameterError(f"there is no method {name!r}; firebreak methods lists them")
     session.finish({"methods": found}, "\n".join(_full(m) for m in found) if name else _listing(found))

@@ -28,7 +28,7 @@ def command(ctx: click.Context, session: Session, run: str, output: OutputReques
     from firebreak_gis.files import require_writable, write_text
     from firebreak_gis.files.outputs import labels
     from firebreak_gis.manifest import read_account
-    from firebreak_gis.report.page.folder import folder_page
+    from firebreak_gis.report.page.folder import report_page
 
     account = read_account(Path(run) / "run.json")
     inputs = [Path(run) / entry["path"] for entry in account.get("outputs", ()) if entry["path"] != "report.html"]
@@ -36,7 +36,7 @@ def command(ctx: click.Context, session: Session, run: str, output: OutputReques
     session.progress(0.1, "reading")
     group = ctx.parent.command if ctx.parent else None
     made_by = group.get_command(ctx, str(account["command"])) if isinstance(group, click.Group) else None
-    text = folder_page(run, labels(outputs.outputs_of(made_by)) if made_by else {})
+    text = report_page(run, labels(outputs.outputs_of(made_by)) if made_by else {})
     session.progress(0.9, "writing")
     write_text(output.output, text, overwrite=output.overwrite)
     session.finish(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from firebreak_gis.cli import kinds, options, outputs
-from firebreak_gis.cli.layers import input_files, read_layers, sample_layers
+from firebreak_gis.cli.layers import input_files, read_layers
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
@@ -21,6 +21,7 @@ from firebreak_gis.files import write_text
 from firebreak_gis.files.outputs import Output, Writing
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
+from firebreak_gis.landscape.samples import sample_layers
 from firebreak_gis.manifest import account
 
 if TYPE_CHECKING:

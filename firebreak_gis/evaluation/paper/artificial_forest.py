@@ -78,6 +78,13 @@ def artificial_forest(
         As `evaluation.summarise`, rankings labelled as in `METHODS`. Mean, percentile and maximum are over
         all fires; the paired Wilcoxon test compares the sums of the forests, since fires of one forest are
         not independent.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> result = fb.artificial_forest(n_forests=2, n_runs=3, shape=(10, 12), budgets=[0.0, 0.3])
+    >>> result["mean"].sizes["budget"], bool((result["mean"].sel(budget=0.3) < 1.0).all())
+    (2, True)
     """
     from firebreak_gis.kernels.draws import run_keys
 

@@ -11,7 +11,7 @@ from firebreak_gis.breaks import select_breaks
 from firebreak_gis.evaluation.curves import evaluate
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.ranking import rank
-from firebreak_gis.schema import DENSITY
+from firebreak_gis.schema import DENSITY, Shown
 from firebreak_gis.simulation.fires import simulate
 from firebreak_gis.spread import spread_network
 
@@ -37,8 +37,8 @@ BUDGETS = tuple(round(0.01 * k, 2) for k in range(41))
 GREY_LEVELS = 16
 
 
-@dataclass(frozen=True)
-class LandscapeExperiment:
+@dataclass(frozen=True, repr=False)
+class LandscapeExperiment(Shown):
     """What the figures show.
 
     Parameters
@@ -63,6 +63,14 @@ class LandscapeExperiment:
     evaluation: xr.Dataset
     breaks: dict[tuple[str, float], xr.DataArray]
     cut: dict[tuple[str, float], xr.DataArray]
+
+    def facts(self) -> dict[str, object]:
+        """Rankings, budgets and fires, as `repr` and notebooks show them."""
+        return {
+            "rankings": ", ".join(self.evaluation["ranking"].to_numpy().tolist()),
+            "budgets": self.evaluation.sizes["budget"],
+            "fires": self.evaluation.sizes["run"],
+        }
 
 
 def landscape_experiment(
@@ -99,6 +107,13 @@ def landscape_experiment(
         cell with fuel nearest to the middle of the rectangle. A fire whose ignition is cut burns nothing.
     n_runs, seed, threads, progress
         As in `simulate`.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> found = fb.landscape_experiment(fb.read_landscape(**fb.sample_layers(), resolution=300.0), n_runs=3)
+    >>> found.evaluation.sizes["run"]
+    3
     """
     window = crop(landscape, rectangle) if rectangle else landscape
     wind: dict[str, Any] = {"wind_speed": wind_speed, "wind_from_direction": wind_from_direction}

@@ -195,6 +195,12 @@ def read_legend(name_or_path: str | os.PathLike[str] | Legend) -> Legend:
     ------
     LegendError
         If there is no such legend, or naming all problems of the file with their line numbers.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> fb.read_legend("paper").entries[1].label
+    'agricultural'
     """
     if isinstance(name_or_path, Legend):
         return name_or_path

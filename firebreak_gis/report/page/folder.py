@@ -28,7 +28,7 @@ _PAGE = "report.html"
 COMMANDS = ("plan", "compare")
 
 
-def folder_page(folder: str | os.PathLike[str], labels: Mapping[str, str]) -> str:
+def report_page(folder: str | os.PathLike[str], labels: Mapping[str, str] | None = None) -> str:
     """Return the page of a folder as HTML.
 
     Parameters
@@ -36,12 +36,20 @@ def folder_page(folder: str | os.PathLike[str], labels: Mapping[str, str]) -> st
     folder
         What `firebreak plan` or `firebreak compare` wrote, its `run.json` among it.
     labels
-        What each file is, by name.
+        What each file is, by name, for the list of files; without it they stand there by name.
 
     Raises
     ------
     InputError
         If the folder holds no such run, or a file of it is missing or broken.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> landscape = fb.read_landscape(**fb.sample_layers(), resolution=250.0)
+    >>> files = fb.write_plan(fb.plan(landscape, method="degree", n_runs=5), "out")
+    >>> "Segments to build" in fb.report_page("out")
+    True
     """
     import pandas as pd
 
@@ -50,7 +58,7 @@ def folder_page(folder: str | os.PathLike[str], labels: Mapping[str, str]) -> st
     from firebreak_gis.rasters import read_variable
     from firebreak_gis.vectors import read_polygons
 
-    place = Path(folder)
+    place, labels = Path(folder), labels or {}
     account = read_account(place / "run.json")
     command = account.get("command")
     if command not in COMMANDS:
