@@ -83,6 +83,7 @@ def _outlines(thing: Any) -> Figure:
         moved = frame.geometry.translate(-left, -bottom).scale(scale, scale, origin=(0, 0))
         frame.set_geometry(moved.set_crs(None, allow_override=True)).plot(ax=axes, **looks)
     axes.set_aspect("equal")
+    axes.set(xlabel="", ylabel="")
     axes.tick_params(labelsize=7, length=2)
     name = (
         f"Segments, {len(areas)} in {areas['stage'].nunique()} stages" if "stage" in areas else f"{len(areas)} outlines"
