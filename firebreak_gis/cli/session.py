@@ -9,16 +9,25 @@ import threading
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from firebreak_gis.errors import Cancelled, OutputError
 from firebreak_gis.files.locks import reason
 from firebreak_gis.manifest import plain
+from firebreak_gis.progress import COMPILING
+
+if TYPE_CHECKING:
+    from firebreak_gis.planning.timing import Estimate
 
 _BAR_WIDTH = 24
 _REPORT_EVERY = 0.1  # seconds
+_COMPILING = "compiling, once on this machine"
+#: Work that takes less is not announced [s].
+_LONG = 15.0
+#: Before so much is done, or has been worked for [s], nobody knows how long the rest takes.
+_TOO_EARLY, _TOO_SHORT = 0.02, 1.0
 
 
 @dataclass
@@ -39,12 +48,16 @@ class Session:
     as_json: bool = False
     progress_mode: str = "bar"
     verbosity: int = 0
-    _started: float = field(default_factory=time.monotonic)
+    _started: float = 0.0
     _last: tuple[float, str, int] = (0.0, "", -1)
+    #: Seconds worked and share done when the pace began to count, and the seconds foreseen then.
+    _begun: tuple[float, float, float] = (0.0, 0.0, 0.0)
     _stopped: threading.Event = field(default_factory=threading.Event)
 
     def __post_init__(self) -> None:
-        """Listen for a stop where a program drives us."""
+        """Listen for a stop where a program drives us, and for kernels that are compiled."""
+        self._started = time.monotonic()
+        COMPILING.begun = self._compiling
         if self.progress_mode == "json":
             threading.Thread(target=self._listen, daemon=True).start()
 
@@ -69,6 +82,28 @@ class Session:
         else:
             self._tell(f"Warning: {text}")
 
+    def foresee(self, estimate: Estimate) -> None:
+        """Say how long the work will take, if that is long; the time left is counted from here."""
+        done = max(self._last[2], 0) / 100
+        self._begun = (self._worked(time.monotonic()), done, estimate.seconds)
+        if estimate.seconds < _LONG:
+            return
+        if self.progress_mode == "json":
+            self._print_line({"progress": done, "message": estimate.told()})
+        else:
+            self.say(estimate.told())
+
+    def seconds_left(self, fraction: float, now: float) -> float | None:
+        """How long the rest takes at the pace so far, the compiling not counted; None while nobody knows."""
+        since, done, foreseen = self._begun
+        worked = self._worked(now) - since
+        if fraction - done > _TOO_EARLY and worked > _TOO_SHORT:
+            return worked * (1.0 - fraction) / (fraction - done)
+        return max(foreseen - worked, 0.0) if foreseen else None
+
+    def _worked(self, now: float) -> float:
+        return now - self._started - COMPILING.seconds
+
     def progress(self, fraction: float, message: str) -> None:
         """Report the share done (0 to 1); raises `Cancelled` once a stop was asked for."""
         if self._stopped.is_set():
@@ -79,7 +114,9 @@ class Session:
             return
         self._last = (now, message, percent)
         if self.progress_mode == "json":
-            self._print_line({"progress": round(fraction, 4), "message": message})
+            left = self.seconds_left(fraction, now)
+            told = {} if left is None else {"seconds_left": round(left)}
+            self._print_line({"progress": round(fraction, 4), "message": message, **told})
         elif self.progress_mode == "bar" and self.verbosity >= 0 and sys.stderr.isatty():
             self._draw_bar(fraction, message, now)
 
@@ -98,12 +135,20 @@ class Session:
             click.echo(text, err=True)
 
     def _draw_bar(self, fraction: float, message: str, now: float) -> None:
-        elapsed = now - self._started
-        left = elapsed * (1.0 - fraction) / fraction if fraction > 0.02 else None
-        filled = int(_BAR_WIDTH * fraction)
+        left = self.seconds_left(fraction, now)
         time_left = "" if left is None else f" {int(left // 60)}:{int(left % 60):02d} left"
-        bar = "#" * filled + "-" * (_BAR_WIDTH - filled)
-        self._write_bar(f"[{bar}] {100 * fraction:3.0f} %{time_left}  {message[:60]}")
+        self._write_bar(f"{_bar(fraction)}{time_left}  {message[:60]}")
+
+    def _compiling(self) -> None:
+        """Say why nothing moves."""
+        _, message, percent = self._last
+        if message == _COMPILING:
+            return
+        self._last = (0.0, _COMPILING, percent)
+        if self.progress_mode == "json":
+            self._print_line({"progress": max(percent, 0) / 100, "message": _COMPILING})
+        elif self.progress_mode == "bar" and self.verbosity >= 0 and sys.stderr.isatty():
+            self._write_bar(f"{_bar(max(percent, 0) / 100)}  {_COMPILING}")
 
     def _clear_bar(self) -> None:
         if self.progress_mode == "bar" and sys.stderr.isatty():
@@ -129,3 +174,8 @@ class Session:
                 break
         # Also at the end of stdin: whoever started us has gone.
         self._stopped.set()
+
+
+def _bar(fraction: float) -> str:
+    filled = int(_BAR_WIDTH * fraction)
+    return f"[{'#' * filled}{'-' * (_BAR_WIDTH - filled)}] {100 * fraction:3.0f} %"

@@ -14,9 +14,25 @@ from collections.abc import Callable
 from typing import Any
 
 import numba
+from numba.core import event
 from numba.core.caching import IndexDataCacheFile
 
+from firebreak_gis.progress import COMPILING
+
 _CACHE = os.environ.get("FIREBREAK_NO_CACHE", "") in ("", "0")
+
+
+class _Compiles(event.Listener):
+    """Runs the clock while numba compiles; what is found in the cache is no such event."""
+
+    def on_start(self, _: event.Event) -> None:
+        COMPILING.start()
+
+    def on_end(self, _: event.Event) -> None:
+        COMPILING.stop()
+
+
+event.register("numba:compile", _Compiles())
 
 
 class _CacheFile(IndexDataCacheFile):

@@ -5,7 +5,7 @@ Plans, comparisons, evaluations and the command `rank` all come through here, so
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
@@ -203,6 +203,11 @@ class Designs:
             for old in list(self._made)[: -self._keep] if self._keep else ():
                 del self._made[old]
         return self._made[key]
+
+    def distinct(self, budgets: Iterable[float], residuals: Iterable[float] = (0.0,)) -> int:
+        """How many different plans there are for these budgets and residuals."""
+        leaks = list(residuals)
+        return len({self._settled(Budget(budget), leak) for budget in budgets for leak in leaks})
 
     def facts(self, budget: Budget, residual: float) -> dict[str, Any]:
         """What the plan knows, by the names of `plugins.FACTS`."""

@@ -36,6 +36,8 @@ Goal = Literal["mean", "worst-tenth"]
 _RUNS = 300
 #: Shares of the ignitions that are moved to the starts of the worst tenth.
 _MOVED = (1.0, 0.5)
+#: How many plans are designed for each goal, of which the best is taken.
+N_DESIGNS = {"mean": 1, "worst-tenth": 1 + 2 * len(_MOVED)}
 
 #: Ranks the cells for stakes, and returns the ranking and the cells cut.
 Designer = Callable[[Stakes, Progress], "tuple[xr.DataArray, xr.DataArray]"]

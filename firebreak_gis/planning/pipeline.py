@@ -16,18 +16,20 @@ from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.planning.budgets import default_budgets, few_budgets, reachable
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
-from firebreak_gis.planning.goals import Goal, for_worst_tenth
-from firebreak_gis.planning.judging import Scene
+from firebreak_gis.planning.goals import N_DESIGNS, Goal, for_worst_tenth
+from firebreak_gis.planning.judging import Judging, Scene
 from firebreak_gis.planning.made import Plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
+from firebreak_gis.planning.timing import Estimate, fire_seconds, ranking_seconds
 from firebreak_gis.planning.treating import offers_of, priced, treat
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
-from firebreak_gis.progress import Progress, part
+from firebreak_gis.progress import Progress, in_proportion, part
 from firebreak_gis.ranking import rank
 from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.fires import burn, resolved
+from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.ignitions import Ignitions
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode, Outside
@@ -35,6 +37,8 @@ from firebreak_gis.stakes import StakePlanes, Stakes
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from firebreak_gis.network import SpreadNetwork
 
     Plane = np.ndarray | xr.DataArray
 
@@ -183,6 +187,7 @@ def make_plan(
     *,
     threads: int | None = None,
     checked: Callable[[Feasibility], None] | None = None,
+    foreseen: Callable[[Estimate], None] | None = None,
     progress: Progress | None = None,
 ) -> Plan:
     """Make the plan of a request.
@@ -197,6 +202,8 @@ def make_plan(
         What a planner adds, on the grid of the landscape.
     threads, checked, progress
         As in `plan`.
+    foreseen
+        Told, before the ranking, how long all will take; without it nobody looks.
     """
     asked, fires = request.design, request.fires
     account = Account()
@@ -231,31 +238,34 @@ def make_plan(
     judged = replace(judged, fires=fires)
     if checked is not None:
         checked(found)
+    ground = scene.ground(judged, network, planes.barriers)
+    others = [name for name in BASELINES if name != asked.method]
+    about: dict[str, Any] = {
+        "budget": asked.amount,
+        "residual": leak,
+        "refine": asked.refine,
+        "width": width_in_cells(asked.width, network.grid.cell_size),
+        "params": asked.method_params,
+        "elevation": landscape["elevation"].to_numpy(),
+        "roads": planes.roads(network),
+        "seed": fires.seed,
+    }
 
     def designed(placed: Stakes, step: Progress) -> tuple[xr.DataArray, xr.DataArray]:
-        priority = design(
-            network,
-            asked.method,
-            stakes=placed,
-            budget=asked.amount,
-            residual=leak,
-            refine=asked.refine,
-            width=width_in_cells(asked.width, network.grid.cell_size),
-            params=asked.method_params,
-            elevation=landscape["elevation"].to_numpy(),
-            roads=planes.roads(network),
-            seed=fires.seed,
-            progress=step,
-        )
+        priority = design(network, asked.method, stakes=placed, **about, progress=step)
         return priority, select_breaks(priority, budget=asked.amount, burnable=network.burnable, cost=stakes.cost)
 
     value = None if planes.value is None else stakes.value
-    ranking = part(progress, 0.05, 0.35, f"rank by {asked.method}: ")
+    seconds = _USUAL
+    if foreseen is not None:
+        ranked = ranking_seconds(network, asked.method, stakes=stakes, **about) * N_DESIGNS[asked.goal]
+        seconds = _foreseen(ranked, ground, network, judged, 1 + len(others), value, threads)
+        foreseen(Estimate(seconds))
+    spans = dict(zip(seconds, in_proportion(list(seconds.values()), 0.02, 1.0), strict=True))
+    ranking = part(progress, *spans["ranking"], f"rank by {asked.method}: ")
     if asked.goal == "mean":
         priority, breaks = designed(stakes, ranking)
-        ground = scene.ground(judged, network, planes.barriers)
     else:
-        ground = scene.ground(judged, network, planes.barriers)
         priority, breaks = for_worst_tenth(
             network,
             stakes,
@@ -279,15 +289,16 @@ def make_plan(
         barriers=ground.barriers,
         threads=threads,
     )
-    before = burnt(value=value, progress=part(progress, 0.35, 0.5, "without breaks: "))
-    after = burnt(value=value, breaks=breaks, progress=part(progress, 0.5, 0.6, "with breaks: "))
+    first, last = spans["fires"]
+    half = (first + last) / 2
+    before = burnt(value=value, progress=part(progress, first, half, "without breaks: "))
+    after = burnt(value=value, breaks=breaks, progress=part(progress, half, last, "with breaks: "))
 
     def lost(plane: Plane, name: str) -> tuple[np.ndarray, np.ndarray]:
-        of = partial(burnt, value=network.plane(plane, name), progress=part(progress, 0.6, 0.6))
+        of = partial(burnt, value=network.plane(plane, name), progress=part(progress, last, last))
         return of()["value_lost"].to_numpy(), of(breaks=breaks)["value_lost"].to_numpy()
 
     objectives = {name: lost(plane, name) for name, plane in planes.objectives.items()}
-    others = [name for name in BASELINES if name != asked.method]
     baselines = {name: rank(network, name, stakes=stakes, seed=fires.seed) for name in others}
     cut = breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
     share = asked.amount.amount if asked.amount.unit == "share" else cut
@@ -298,7 +309,7 @@ def make_plan(
         judged.paper,
         budgets=reachable(default_budgets(share), priority, network),
         threads=threads,
-        progress=part(progress, 0.6, 0.8 if judged.reburnt else 1.0, "evaluate "),
+        progress=part(progress, *spans["curve without a clock"], "evaluate "),
     )
     evaluation = paper
     if judged.reburnt:
@@ -309,7 +320,7 @@ def make_plan(
             budgets=reachable(few_budgets(share), priority, network),
             ground=ground,
             threads=threads,
-            progress=part(progress, 0.8, 1.0, "evaluate with a clock: "),
+            progress=part(progress, *spans["curve"], "evaluate with a clock: "),
         )
     return Plan(
         landscape,
@@ -328,3 +339,30 @@ def make_plan(
         treated,
         objectives,
     )
+
+
+#: Shares of the time that the steps take where nobody looks.
+_USUAL: Mapping[str, float] = {"ranking": 6.0, "fires": 5.0, "curve without a clock": 4.0, "curve": 4.0}
+
+
+def _foreseen(
+    ranking: float,
+    ground: Ground,
+    network: SpreadNetwork,
+    judged: Judging,
+    rankings: int,
+    value: np.ndarray | None,
+    threads: int | None,
+) -> dict[str, float]:
+    """Seconds of each step of a plan, the curves under so many rankings among them."""
+    n_runs, levels = judged.fires.n_runs, few_budgets(0.1).size * judged.reburnt
+    passes = 2 + rankings * levels
+    paper = fire_seconds(Ground(network), judged.paper, passes=rankings, threads=threads)
+    # A pass of a curve draws for all levels at once; breaks make fires smaller, which is left out.
+    each = fire_seconds(ground, judged.fires, passes=passes, value=value, threads=threads) if judged.reburnt else paper
+    return {
+        "ranking": ranking,
+        "fires": 2 * n_runs * each,
+        "curve without a clock": rankings * n_runs * paper,
+        "curve": rankings * levels * n_runs * each,
+    }

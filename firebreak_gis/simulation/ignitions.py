@@ -51,6 +51,12 @@ class Ignitions(Shown):
     at: np.ndarray | None = None
     notes: tuple[str, ...] = ()
 
+    def first(self, n_runs: int) -> Ignitions:
+        """Those of the first runs alone."""
+        end = self.starts[n_runs]
+        at = None if self.at is None else self.at[:end]
+        return Ignitions(self.starts[: n_runs + 1], self.cells[:end], self.first_run, at, self.notes)
+
     def facts(self) -> dict[str, object]:
         """How many runs start in how many cells, as `repr` shows it."""
         return {"runs": self.starts.size - 1, "cells": self.cells.size}

@@ -156,8 +156,8 @@ HELP_OF_FORMS: Mapping[str, str] = {
     "method": "By which cells are ranked; higher is cut earlier. All are described below.",
     "method_list": "Rankings to hold against each other; all are described below.",
     "model": "How fire gets from a cell to its neighbours; all are described below.",
-    "budget": "How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or money such "
-    "as 20000eur, in the currency of the costs.",
+    "budget": "How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or money "
+    "such as 20000eur, in the currency of the costs.",
     "wind_speed": "Wind speed at mid-flame height in m/s, or a raster of it on any grid.",
     "legend": "What the vegetation codes mean: a built-in legend, or a CSV file of your own.",
     "density_legend": "What the density codes mean: a built-in legend, or a CSV file of your own.",

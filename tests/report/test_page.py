@@ -157,7 +157,7 @@ def small_parts():
 def test_a_plan_becomes_a_page():
     account = {"parameters": {"method": "degree", "budget": 5, "budget_unit": "ha"}, "assumptions": ["It is calm."]}
     page = plan_page(small_parts(), account)
-    assert page.title == "Fire breaks by degree, 5 hectares"
+    assert page.title == "Fire breaks by degree, 5 ha"
     assert page.size == (180.0, 120.0)
     assert page.origin[:2] == (500_000.0, 3_999_880.0)
     first = page.segments[0]

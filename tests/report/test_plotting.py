@@ -38,5 +38,5 @@ def test_curves(network):
 
 
 def test_other_things_are_refused():
-    with pytest.raises(fb.FirebreakError, match="expected a SpreadNetwork"):
+    with pytest.raises(fb.FirebreakError, match="expected a plan, segments"):
         fb.plot(3)

@@ -92,9 +92,11 @@ def command(
     from firebreak_gis.manifest import provenance
     from firebreak_gis.planning.maps import MapInFiles
     from firebreak_gis.planning.scene import read_scene
+    from firebreak_gis.planning.timing import Estimate, fire_seconds
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.simulation.fires import burn
+    from firebreak_gis.simulation.ground import Ground
     from firebreak_gis.simulation.products import Products
     from firebreak_gis.simulation.windows import SIDE, burn_windows, fuel_map
     from firebreak_gis.simulation.writing import product_files, size_table, write_products
@@ -133,8 +135,10 @@ def command(
     barred = None
     if barriers:
         barred = mask_plane(barriers, untouched.grid, what="barriers", rule="touched", solid=True)
-    share_done = part(session.progress, 0.05, 0.95)
+    share_done = part(session.progress, 0.02, 0.98)
     if source is None:
+        each = fire_seconds(Ground(untouched, networks, barred), checked, passes=1, breaks=cut, products=kept)
+        session.foresee(Estimate({"fires": checked.n_runs * each}))
         walls: dict[str, Any] = {"breaks": cut, "barriers": barred}
         burns = burn(untouched, checked, weather=networks, products=kept, progress=share_done, **walls)
     else:

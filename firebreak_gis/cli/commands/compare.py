@@ -185,12 +185,14 @@ def command(
     Each plan is made for its budget and leak, as firebreak plan makes it. The fires are fresh: no plan was designed
     with them, and all burn in the same ones.
     """
+    from firebreak_gis.breaks import Budget
     from firebreak_gis.evaluation.front import front_table, require_fires, stops_told
     from firebreak_gis.files.outputs import write_all
     from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.planning.comparison import compare_plans, comparison_table
     from firebreak_gis.planning.design import Designs
     from firebreak_gis.planning.scene import files_of, open_scene
+    from firebreak_gis.planning.timing import Estimate, fire_seconds, ranking_seconds
     from firebreak_gis.progress import part
 
     require_fires(expected_fires)
@@ -217,15 +219,34 @@ def command(
         label: Designs(barred, method, stakes=placed, params=params, elevation=elevation, roads=roads, seed=fires.seed)
         for label, method, params in method_list
     }
+    shares = sorted({budget.share(barred) for budget in budgets})
+    value = placed.value if at_stake.valued else None
+    ground = scene.ground(judged, barred, planes.barriers)
+    ranking = sum(
+        plans[label].distinct(shares, residuals)
+        * ranking_seconds(
+            barred,
+            method,
+            stakes=placed,
+            budget=Budget(max(shares)),
+            params=params,
+            elevation=elevation,
+            roads=roads,
+        )
+        for label, method, params in method_list
+    )
+    passes = len(method_list) * len(shares) * len(residuals)
+    burning = passes * fires.n_runs * fire_seconds(ground, fires, passes=passes, value=value)
+    session.foresee(Estimate({"rankings": ranking, "fires": burning}))
     result = compare_plans(
         barred,
         plans,
         fires,
-        budgets=sorted({budget.share(barred) for budget in budgets}),
+        budgets=shares,
         residuals=residuals,
-        value=placed.value if at_stake.valued else None,
+        value=value,
         cost=placed.cost if placed.priced else None,
-        ground=scene.ground(judged, barred, planes.barriers),
+        ground=ground,
         progress=part(session.progress, 0.02, 0.97),
     )
     rows = comparison_table(result)

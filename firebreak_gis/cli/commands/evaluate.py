@@ -169,12 +169,14 @@ def command(
     All rankings meet the same fires, and each plan is made for its budget, as firebreak plan makes it. Writes
     evaluation.csv, runs.csv, evaluation.png, evaluation.svg and run.json.
     """
+    from firebreak_gis.breaks import Budget
     from firebreak_gis.evaluation.curves import evaluate_fires
     from firebreak_gis.files.outputs import write_all
     from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.planning.budgets import default_budgets, few_budgets
     from firebreak_gis.planning.design import Designs
     from firebreak_gis.planning.scene import files_of, open_scene
+    from firebreak_gis.planning.timing import Estimate, fire_seconds, ranking_seconds
     from firebreak_gis.progress import part
 
     methods = list(method_list)
@@ -206,6 +208,17 @@ def command(
         label: Designs(untouched, method, stakes=placed, params=params, elevation=elevation, seed=fires.seed, keep=1)
         for label, method, params in methods
     }
+    ground = scene.ground(judged, untouched, None)
+    passes = len(priorities) * (len(shares) if judged.reburnt else 1)
+    ranking = sum(
+        priorities[label].distinct(shares)
+        * ranking_seconds(
+            untouched, method, stakes=placed, budget=Budget(max(shares)), params=params, elevation=elevation
+        )
+        for label, method, params in methods
+    )
+    burning = passes * fires.n_runs * fire_seconds(ground, fires, passes=passes)
+    session.foresee(Estimate({"rankings": ranking, "fires": burning}))
     result = evaluate_fires(
         untouched,
         priorities,
@@ -214,8 +227,8 @@ def command(
         baseline=baseline,
         test=test,
         alpha=alpha,
-        ground=scene.ground(judged, untouched, None),
-        progress=part(session.progress, 0.0, 0.95),
+        ground=ground,
+        progress=part(session.progress, 0.02, 0.95),
     )
     evaluated = _Judged(
         result,

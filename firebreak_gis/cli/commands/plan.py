@@ -101,7 +101,7 @@ def command(
     if dry_run:
         rehearse(foreseen, session)
         return
-    landscape = read_layers(layers, foreseen.survey, session, progress=part(session.progress, 0.0, 0.1, "align: "))
+    landscape = read_layers(layers, foreseen.survey, session, progress=part(session.progress, 0.0, 0.05, "align: "))
     planes, account = read_stakes(
         at_stake,
         session,
@@ -120,7 +120,8 @@ def command(
         request,
         planes,
         checked=lambda found: _tell(session, found, strict=layers.strict),
-        progress=part(session.progress, 0.1, 0.8),
+        foreseen=session.foresee,
+        progress=part(session.progress, 0.05, 0.95),
     )
     for key, say in (("alignment", session.say), ("warnings", session.warn)):  # what was done to the weather
         for sentence in result.landscape.attrs[key][len(landscape.attrs[key]) :]:
@@ -132,7 +133,7 @@ def command(
         inputs=inputs,
         creation_options=output.creation_options,
         overwrite=output.overwrite,
-        progress=part(session.progress, 0.8, 1.0),
+        progress=part(session.progress, 0.95, 1.0),
     )
     summary = result.summary
     judged = summary["judged"]

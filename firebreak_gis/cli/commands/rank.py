@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import click
 
 from firebreak_gis.cli import filters, kinds, options, outputs, stakes_options
@@ -49,6 +51,7 @@ def command(
     from firebreak_gis.manifest import provenance
     from firebreak_gis.planning.design import design
     from firebreak_gis.planning.feasibility import feasibility, width_in_cells
+    from firebreak_gis.planning.timing import Estimate, ranking_seconds
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.spread.raster import read_network
@@ -62,19 +65,18 @@ def command(
     found.require()
     for sentence in found.warnings:
         session.warn(sentence)
-    priority = design(
-        barred,
-        asked.method,
-        stakes=placed,
-        budget=asked.amount,
-        residual=fires.leak,
-        width=width_in_cells(asked.width, barred.grid.cell_size),
-        params=asked.method_params,
-        elevation=ridges(dem, barred.grid),
-        roads=planes.roads(barred),
-        seed=fires.seed,
-        progress=part(session.progress, 0.05, 0.9),
-    )
+    asked_for: dict[str, Any] = {
+        "stakes": placed,
+        "budget": asked.amount,
+        "residual": fires.leak,
+        "width": width_in_cells(asked.width, barred.grid.cell_size),
+        "params": asked.method_params,
+        "elevation": ridges(dem, barred.grid),
+        "roads": planes.roads(barred),
+        "seed": fires.seed,
+    }
+    session.foresee(Estimate({"ranking": ranking_seconds(barred, asked.method, **asked_for)}))
+    priority = design(barred, asked.method, **asked_for, progress=part(session.progress, 0.02, 0.98))
     # What makes no difference is not told, so that equal rankings have equal files.
     shaped = {"residual": fires.residual, "width": asked.width, "made_for": priority.attrs.get("made_for")}
     parameters = {"method": asked.method, "method_params": asked.method_params}

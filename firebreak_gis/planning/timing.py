@@ -1,0 +1,184 @@
+"""How long a plan will take on this machine, found by doing a little of it.
+
+Rankings are made on two pieces of the map; how their times grow with the cells tells that of the whole. Fires take the
+same time each, in the mean, so that a few tell that of all. Compiling, which comes once, is not counted. Results do not
+depend on any of this.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis.breaks import Budget
+from firebreak_gis.errors import FirebreakError
+from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.planning.design import design
+from firebreak_gis.progress import COMPILING
+from firebreak_gis.simulation.fires import burn
+from firebreak_gis.simulation.ignitions import Ignitions
+from firebreak_gis.stakes import Stakes
+
+if TYPE_CHECKING:
+    from firebreak_gis.simulation.ground import Ground
+    from firebreak_gis.simulation.request import FireRequest
+
+#: The larger of the two pieces that are ranked has this share of the cells, and at most so many; the other a quarter.
+_PIECE, _MOST_CELLS = 1 / 16, 150_000
+#: Smaller maps are ranked at once [cells]; smaller pieces tell nothing.
+_SMALL = 40_000
+#: Powers of the cells that costs may grow with.
+_POWERS = (1.0, 2.5)
+#: Of all fires that will be burnt so many are burnt for the pilot, at most so many.
+_PILOT, _MOST_FIRES = 1 / 50, 64
+
+Now = Callable[[], float]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """How long work will take.
+
+    Parameters
+    ----------
+    steps
+        Seconds by step, in order.
+    """
+
+    steps: Mapping[str, float]
+
+    @property
+    def seconds(self) -> float:
+        """In all."""
+        return sum(self.steps.values())
+
+    def told(self) -> str:
+        """One sentence.
+
+        Examples
+        --------
+        >>> Estimate({"ranking": 40.0, "fires": 140.0}).told()
+        'This takes about 3 min (ranking 40 s, fires 2.3 min), as far as a small part of it tells.'
+        """
+        each = ", ".join(f"{name} {_about(seconds)}" for name, seconds in self.steps.items() if seconds >= 1.0)
+        return f"This takes about {_about(self.seconds)} ({each}), as far as a small part of it tells."
+
+
+def ranking_seconds(
+    network: SpreadNetwork,
+    method: str,
+    *,
+    stakes: Stakes,
+    budget: Budget,
+    elevation: Any = None,
+    roads: Any = None,
+    now: Now = time.perf_counter,
+    **more: Any,
+) -> float:
+    """Seconds that a ranking takes, from those of two pieces of the map; 0 on small maps, or if no piece can tell.
+
+    Parameters
+    ----------
+    network, method, stakes, budget, elevation, roads, more
+        As in `design.design`.
+    now
+        Tells the time [s].
+    """
+    share = Budget(min(1.0, budget.cell_share(network, stakes)))
+
+    def rank(rows: slice, cols: slice) -> None:
+        piece = SpreadNetwork(network.probability[:, rows, cols], burnable=network.burnable[rows, cols])
+        given = {name: getattr(stakes, name)[rows, cols] for name in ("cost", "protected", "difficulty")}
+        for name in ("value", "ignition"):
+            if (plane := getattr(stakes, name)[rows, cols]).any():  # nothing at all is refused
+                given[name] = plane
+        planes = {"elevation": elevation, "roads": roads}
+        planes = {name: None if plane is None else np.asarray(plane)[rows, cols] for name, plane in planes.items()}
+        design(piece, method, stakes=Stakes(piece, **given), budget=share, **planes, **more)
+
+    try:
+        return by_pieces(rank, network.shape, now)
+    except FirebreakError:  # a piece without fuel, or without what the method needs
+        return 0.0
+
+
+def by_pieces(work: Callable[[slice, slice], None], shape: tuple[int, int], now: Now = time.perf_counter) -> float:
+    """Seconds that work on a grid takes, by the power of the cells between two pieces from its middle.
+
+    Parameters
+    ----------
+    work
+        Does it on rows and columns.
+    shape
+        (rows, cols) of the whole.
+    now
+        Tells the time [s].
+    """
+    cells = shape[0] * shape[1]
+    if cells < _SMALL:
+        return 0.0
+    sizes: list[int] = []
+    times: list[float] = []
+    largest = min(_PIECE, _MOST_CELLS / cells)
+    for share in (largest / 4, largest):
+        rows, cols = (_middle(n, math.sqrt(share)) for n in shape)
+        if not times:  # what is loaded at the first call does not count
+            work(rows, cols)
+        times.append(max(_worked(partial(work, rows, cols), now), 1e-9))
+        sizes.append((rows.stop - rows.start) * (cols.stop - cols.start))
+        if times[-1] * (cells / sizes[-1]) ** 2 < 1.0:  # short at any power
+            break
+    if len(times) == 1:
+        return times[0] * cells / sizes[0]
+    power = math.log(times[1] / times[0]) / math.log(sizes[1] / sizes[0])
+    return times[1] * math.pow(cells / sizes[1], min(max(power, _POWERS[0]), _POWERS[1]))
+
+
+def fire_seconds(
+    ground: Ground, fires: FireRequest, *, passes: float, now: Now = time.perf_counter, **how: Any
+) -> float:
+    """Seconds of a run, from those of a few.
+
+    Parameters
+    ----------
+    ground, fires
+        What burns, and where.
+    passes
+        How often all runs will be burnt: few runs are no measure of few, and too much of a pilot.
+    now
+        Tells the time [s].
+    how
+        As in `simulate`, such as `value` and `threads`.
+    """
+    n_runs = int(min(max(fires.n_runs * passes * _PILOT, 1.0), _MOST_FIRES, fires.n_runs))
+    starts = fires.ignitions
+    given = {"weather": ground.weather, "barriers": ground.barriers, **how}
+    for count in (1, n_runs):  # what is loaded at the first call does not count
+        few = replace(fires, n_runs=count, ignitions=starts.first(count) if isinstance(starts, Ignitions) else starts)
+        seconds = _worked(partial(burn, ground.network, few, **given), now)
+    return seconds / n_runs
+
+
+def _worked(work: Callable[[], Any], now: Now) -> float:
+    """Seconds that work takes, less those of compiling."""
+    began, compiled = now(), COMPILING.seconds
+    work()
+    return max(now() - began - (COMPILING.seconds - compiled), 0.0)
+
+
+def _middle(n: int, share: float) -> slice:
+    size = max(round(n * share), 1)
+    return slice((n - size) // 2, (n - size) // 2 + size)
+
+
+def _about(seconds: float) -> str:
+    for unit, factor in (("h", 3600.0), ("min", 60.0)):
+        if seconds >= 1.5 * factor:
+            return f"{seconds / factor:.2g} {unit}"
+    return f"{seconds:.0f} s"

@@ -1,0 +1,145 @@
+"""Progress: an honest time left, by a clock that a test moves, and compiling counted apart."""
+
+from __future__ import annotations
+
+import io
+import json
+
+import pytest
+
+from firebreak_gis.cli import session as module
+from firebreak_gis.cli.session import Session
+from firebreak_gis.planning.timing import Estimate
+from firebreak_gis.progress import COMPILING, CompileClock, in_proportion
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    class Clock:
+        time = 1000.0
+
+        def __call__(self):
+            return self.time
+
+    ours = Clock()
+    monkeypatch.setattr(module.time, "monotonic", ours)
+    monkeypatch.setattr(COMPILING, "_now", ours)
+    monkeypatch.setattr(COMPILING, "_done", 0.0)
+    monkeypatch.setattr(COMPILING, "_depth", 0)
+    yield ours
+    COMPILING.begun = None
+
+
+def shown(monkeypatch):
+    """A terminal in place of stderr; set in the test itself, since pytest puts its own back between the phases."""
+    screen = Terminal()
+    monkeypatch.setattr(module.sys, "stderr", screen)
+    return screen
+
+
+def test_the_time_left_is_that_of_the_pace(clock, monkeypatch):
+    terminal = shown(monkeypatch)
+    session = Session()
+    clock.time += 10
+    session.progress(0.2, "ranking")
+    assert session.seconds_left(0.2, clock.time) == pytest.approx(40.0)
+    assert "0:40 left  ranking" in terminal.getvalue()
+
+
+def test_nobody_knows_at_the_beginning(clock, monkeypatch):
+    terminal = shown(monkeypatch)
+    session = Session()
+    assert session.seconds_left(0.0, clock.time) is None
+    clock.time += 0.5
+    assert session.seconds_left(0.5, clock.time) is None
+    session.progress(0.01, "reading")
+    assert "left" not in terminal.getvalue()
+
+
+def test_compiling_is_no_pace(clock, monkeypatch):
+    """Thirty seconds of compiling among ten of work: the rest takes forty, not two and a half minutes."""
+    terminal = shown(monkeypatch)
+    session = Session()
+    clock.time += 4
+    COMPILING.start()
+    assert "compiling, once on this machine" in terminal.getvalue()
+    clock.time += 15
+    COMPILING.start()  # a kernel that the first one calls
+    clock.time += 15
+    COMPILING.stop()
+    assert COMPILING.seconds == pytest.approx(30.0)
+    COMPILING.stop()
+    clock.time += 6
+    assert session.seconds_left(0.2, clock.time) == pytest.approx(40.0)
+    assert COMPILING.seconds == pytest.approx(30.0)
+
+
+def test_what_was_foreseen_is_the_time_left_until_there_is_a_pace(clock, monkeypatch):
+    terminal = shown(monkeypatch)
+    session = Session()
+    clock.time += 100  # reading, aligning
+    session.progress(0.05, "align")
+    session.foresee(Estimate({"ranking": 50.0, "fires": 150.0}))
+    assert "This takes about 3.3 min (ranking 50 s, fires 2.5 min)" in terminal.getvalue()
+    clock.time += 20
+    assert session.seconds_left(0.05, clock.time) == pytest.approx(180.0)
+    clock.time += 20
+    assert session.seconds_left(0.24, clock.time) == pytest.approx(40 * 0.76 / 0.19)
+
+
+def test_short_work_is_not_announced(clock, monkeypatch):
+    terminal = shown(monkeypatch)
+    session = Session()
+    session.foresee(Estimate({"fires": 3.0}))
+    assert terminal.getvalue() == ""
+    assert session.seconds_left(0.0, clock.time) == 3.0
+
+
+def test_programs_are_told_in_lines(clock, capsys, monkeypatch):
+    monkeypatch.setattr(module.sys, "stdin", io.StringIO(""))
+    monkeypatch.setattr(module.threading.Thread, "start", lambda _: None)
+    session = Session(progress_mode="json")
+    session.foresee(Estimate({"fires": 90.0}))
+    COMPILING.start()
+    COMPILING.stop()
+    COMPILING.start()  # said once until the work goes on
+    COMPILING.stop()
+    clock.time += 10
+    session.progress(0.5, "burning")
+    lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert [line["message"].split(" (")[0] for line in lines] == [
+        "This takes about 1.5 min",
+        "compiling, once on this machine",
+        "burning",
+    ]
+    assert lines[-1]["seconds_left"] == 10
+
+
+def test_shares_of_steps():
+    assert in_proportion([0.0, 0.0], 0.2, 0.6) == [(0.2, pytest.approx(0.4)), (pytest.approx(0.4), pytest.approx(0.6))]
+    spans = in_proportion([3.0, 0.0, 1.0], 0.0, 1.0)
+    assert spans == [(0.0, 0.75), (0.75, 0.75), (0.75, 1.0)]
+
+
+def test_the_clock_runs_while_numba_compiles_and_not_while_it_loads(monkeypatch):
+    """A function that no cache has, called twice."""
+    import numba
+
+    import firebreak_gis.kernels.policy  # noqa: F401 - listens to numba
+
+    before = COMPILING.seconds
+    double = numba.njit(lambda x: 2 * x)
+    assert double(3) == 6
+    first = COMPILING.seconds
+    assert first > before
+    assert double(4) == 8
+    assert COMPILING.seconds == first
+
+
+def test_clocks_of_two_processes_know_nothing_of_each_other():
+    assert CompileClock().seconds == 0.0

@@ -1,0 +1,221 @@
+"""How long work will take: exact on work whose time is a power of the cells, told before it, without effect on it."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import firebreak_gis as fb
+from firebreak_gis.breaks import Budget
+from firebreak_gis.cli import firebreak
+from firebreak_gis.planning import timing
+from firebreak_gis.planning.timing import Estimate, by_pieces, fire_seconds, ranking_seconds
+from firebreak_gis.progress import COMPILING
+from firebreak_gis.simulation.ground import Ground
+from firebreak_gis.simulation.request import FireRequest
+
+
+class Clock:
+    """Goes on only when told."""
+
+    def __init__(self):
+        self.time = 100.0
+
+    def __call__(self):
+        return self.time
+
+
+@pytest.mark.parametrize("power", [1.0, 1.35, 2.0, 2.5])
+@pytest.mark.parametrize("shape", [(320, 640), (1600, 800), (30_000, 30_000)])
+def test_the_time_of_the_whole_is_that_of_the_pieces_at_their_power(power, shape):
+    clock, seen = Clock(), []
+
+    def work(rows, cols):
+        cells = (rows.stop - rows.start) * (cols.stop - cols.start)
+        seen.append(cells)
+        clock.time += 1e-3 * cells**power
+
+    cells = shape[0] * shape[1]
+    assert by_pieces(work, shape, clock) == pytest.approx(1e-3 * cells**power, rel=1e-6)
+    assert max(seen) <= min(cells / 16, 150_000) * 1.02
+    assert sum(seen) <= 0.12 * cells
+
+
+def test_powers_beyond_any_method_are_noise():
+    """A piece that took long by chance does not make a century of it."""
+    clock = Clock()
+    took = iter([5.0, 5.0, 500.0])
+    found = by_pieces(lambda rows, cols: setattr(clock, "time", clock.time + next(took)), (1000, 1000), clock)
+    assert found == pytest.approx(500.0 * 16**2.5, rel=0.02)
+
+
+def test_short_work_is_looked_at_once_and_small_maps_not_at_all():
+    clock, calls = Clock(), []
+
+    def work(rows, cols):
+        calls.append(rows)
+        clock.time += 1e-6
+
+    assert by_pieces(work, (1000, 1000), clock) == pytest.approx(64e-6, rel=0.05)
+    assert len(calls) == 2  # the first call loads
+    calls.clear()
+    assert by_pieces(work, (100, 100), clock) == 0.0
+    assert not calls
+
+
+def test_the_first_call_and_compiling_do_not_count(monkeypatch):
+    clock = Clock()
+    compiled = Clock()
+    monkeypatch.setattr(COMPILING, "_now", compiled)
+    calls = []
+
+    def work(rows, cols):
+        calls.append(rows)
+        if len(calls) == 1:
+            clock.time += 50.0  # loading
+        if len(calls) == 2:  # compiling something else
+            COMPILING.start()
+            clock.time += 7.0
+            compiled.time += 7.0
+            COMPILING.stop()
+        clock.time += 1e-3 * (rows.stop - rows.start) ** 2
+
+    assert by_pieces(work, (800, 800), clock) == pytest.approx(1e-3 * 800**2)
+
+
+def test_rankings_are_made_on_pieces_with_their_stakes(make_landscape, monkeypatch):
+    """Costs, protected cells and terrain are those of the piece, and the budget the same share."""
+    network = fb.spread_network(make_landscape((240, 250), seed=3))
+    rng = np.random.default_rng(1)
+    cost = np.where(network.burnable, rng.uniform(1, 2, network.shape), 0.0)
+    stakes = fb.Stakes(network, cost=cost, protected=rng.random(network.shape) < 0.2)
+    elevation = rng.random(network.shape)
+    clock, seen = Clock(), []
+
+    def design(piece, method, **given):
+        seen.append((piece, given))
+        clock.time += piece.burnable.size
+
+    monkeypatch.setattr(timing, "design", design)
+    half = Budget(float(stakes.cost.sum()) / 2, "cost")
+    seconds = ranking_seconds(network, "degree", stakes=stakes, budget=half, elevation=elevation, seed=3, now=clock)
+    assert seconds == pytest.approx(network.burnable.size, rel=0.05)
+    piece, given = seen[-1]
+    top, left = ((n - m) // 2 for n, m in zip(network.shape, piece.shape, strict=True))
+    place = (slice(top, top + piece.shape[0]), slice(left, left + piece.shape[1]))
+    np.testing.assert_array_equal(piece.burnable, network.burnable[place])
+    np.testing.assert_array_equal(given["elevation"], elevation[place])
+    np.testing.assert_array_equal(given["stakes"].cost, stakes.cost[place])
+    np.testing.assert_array_equal(given["stakes"].protected, stakes.protected[place])
+    assert given["budget"] == Budget(half.cell_share(network, stakes))
+    assert (given["seed"], given["roads"]) == (3, None)
+
+
+def test_a_piece_that_cannot_be_ranked_tells_nothing(monkeypatch):
+    network = fb.SpreadNetwork(np.full((8, 240, 240), 0.5))
+
+    def design(*_, **__):
+        raise fb.FirebreakError("no fuel here")
+
+    monkeypatch.setattr(timing, "design", design)
+    assert ranking_seconds(network, "degree", stakes=fb.Stakes(network), budget=Budget(0.1)) == 0.0
+
+
+@pytest.mark.parametrize(("n_runs", "passes", "burnt"), [(1000, 1, 20), (100, 20, 40), (7, 1, 1), (10_000, 9, 64)])
+def test_a_few_fires_tell_of_all(monkeypatch, n_runs, passes, burnt):
+    network = fb.SpreadNetwork(np.full((8, 9, 11), 0.5))
+    clock, seen = Clock(), []
+
+    def burn(_, fires, **how):
+        seen.append(fires.n_runs)
+        assert how["value"] is None
+        clock.time += 0.25 * fires.n_runs
+
+    monkeypatch.setattr(timing, "burn", burn)
+    starts = fb.ignition_places(network)
+    found = fire_seconds(Ground(network), FireRequest(starts, n_runs=n_runs), passes=passes, value=None, now=clock)
+    assert found == pytest.approx(0.25)
+    assert seen == [1, burnt]
+
+
+def test_ignitions_that_are_decided_serve_the_few():
+    from firebreak_gis.simulation.ignitions import resolve_ignitions
+
+    network = fb.SpreadNetwork(np.full((8, 9, 11), 0.5))
+    starts = resolve_ignitions(network, n_runs=30, seed=4)
+    few = starts.first(7)
+    np.testing.assert_array_equal(few.cells, resolve_ignitions(network, n_runs=7, seed=4).cells)
+    assert fire_seconds(Ground(network), FireRequest(starts, n_runs=30, seed=4), passes=50) >= 0.0
+
+
+def test_words():
+    assert (
+        Estimate({"ranking": 3600.0, "fires": 3600.0 * 1.5}).told().startswith("This takes about 2.5 h (ranking 60 min")
+    )
+    assert "fires" not in Estimate({"ranking": 20.0, "fires": 0.2}).told()
+    assert "nan" not in Estimate({"ranking": 0.0}).told()
+
+
+def test_plans_do_not_depend_on_being_foreseen(make_landscape):
+    from firebreak_gis.planning.pipeline import make_plan
+    from firebreak_gis.planning.request import DesignRequest, PlanRequest
+    from firebreak_gis.stakes import StakePlanes
+
+    landscape = make_landscape((210, 200), seed=3)
+    asked = PlanRequest(design=DesignRequest("dissection"), fires=FireRequest(n_runs=12, seed=5))
+    told, shares = [], []
+    one = make_plan(landscape, asked, StakePlanes())
+    two = make_plan(
+        landscape, asked, StakePlanes(), foreseen=told.append, progress=lambda share, _: shares.append(share)
+    )
+    assert one.breaks.equals(two.breaks)
+    assert one.after.equals(two.after)
+    (estimate,) = told
+    assert list(estimate.steps) == ["ranking", "fires", "curve without a clock", "curve"]
+    assert all(seconds >= 0.0 for seconds in estimate.steps.values())
+    assert estimate.steps["ranking"] > 0.0
+    assert shares == sorted(shares)
+    assert shares[-1] == pytest.approx(1.0)
+
+
+def test_commands_tell_what_takes_long(make_landscape, tmp_path, monkeypatch):
+    """With a second that counts as a minute; short work is not announced."""
+    from firebreak_gis.landscape import write_landscape
+
+    write_landscape(make_landscape((40, 50), seed=3), tmp_path / "land")
+
+    def run(*words):
+        outcome = CliRunner().invoke(firebreak, [str(word) for word in words])
+        assert outcome.exit_code == 0, outcome.output
+        return outcome.output
+
+    net = tmp_path / "net.tif"
+    run("network", tmp_path / "land", "-o", net)
+    commands = {
+        "rank": ["rank", net, "--method", "degree", "-o", tmp_path / "p.tif"],
+        "burn": ["burn", net, "--runs", 20, "-o", tmp_path / "f.tif"],
+        "evaluate": [
+            "evaluate",
+            net,
+            "--methods",
+            "degree,random",
+            "--budgets",
+            "0.1",
+            "--runs",
+            5,
+            "-o",
+            tmp_path / "e",
+        ],
+        "compare": ["compare", net, "--methods", "degree", "--budgets", "0.1", "--runs", 5, "-o", tmp_path / "c"],
+    }
+    for words in commands.values():
+        assert "This takes" not in run(*words)
+    monkeypatch.setattr(timing, "by_pieces", lambda *_: 60.0)
+    monkeypatch.setattr(timing, "_worked", lambda work, now: work() is None or 60.0)
+    for name, words in commands.items():
+        assert "This takes about" in run(*words, "--overwrite"), name
+        told = run(*words, "--overwrite", "--json")
+        assert json.loads(told.splitlines()[-1])["result"]
