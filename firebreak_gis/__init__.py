@@ -17,12 +17,14 @@ if TYPE_CHECKING:
     from firebreak_gis.construction.compartments import compartments_of
     from firebreak_gis.construction.segments import segments_of
     from firebreak_gis.errors import Cancelled, FirebreakError
+    from firebreak_gis.evaluation.assessment import assess
     from firebreak_gis.evaluation.calibration import calibrate_scars, calibrate_sizes
     from firebreak_gis.evaluation.curves import evaluate
     from firebreak_gis.evaluation.forecasting import validate
     from firebreak_gis.evaluation.paper.artificial_forest import artificial_forest
     from firebreak_gis.evaluation.paper.landscape import landscape_experiment
     from firebreak_gis.landscape import read_landscape, read_landscape_folder, write_landscape
+    from firebreak_gis.landscape.existing import existing_breaks
     from firebreak_gis.landscape.legends import read_legend
     from firebreak_gis.landscape.lines import line_breaks
     from firebreak_gis.landscape.samples import sample_layers
@@ -52,6 +54,7 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "artificial_forest": "evaluation.paper.artificial_forest",
+    "assess": "evaluation.assessment",
     "break_polygons": "breaks",
     "Budget": "breaks",
     "burn_curve": "simulation.fires",
@@ -62,6 +65,7 @@ _HOMES = {
     "compartments_of": "construction.compartments",
     "Embers": "simulation.embers",
     "evaluate": "evaluation.curves",
+    "existing_breaks": "landscape.existing",
     "explore": "report.exploring",
     "FirebreakError": "errors",
     "forest": "spread.artificial",

@@ -91,6 +91,17 @@ def assess(
         If there is no break, or none has a cell with fuel.
     ParameterError
         If a number is negative.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> network = fb.spread_network(fb.read_landscape(**fb.sample_layers(), resolution=200.0))
+    >>> roads = fb.existing_breaks("sample_data/roads.gpkg", network.grid)
+    >>> def burnt(cut, progress):
+    ...     return fb.simulate(network, breaks=cut, n_runs=20, progress=progress)["fire_size"].to_numpy()
+    >>> found = fb.assess(network, roads, burnt, placements=0)
+    >>> len(found.breaks) == len(roads.cells), found.burnt_ha <= found.burnt_bare_ha
+    (True, True)
     """
     if longest_gap < 0 or most_gaps < 0 or placements < 0:
         raise ParameterError(

@@ -9,6 +9,7 @@ import numpy as np
 
 from firebreak_gis.landscape.footprints import close_corners, footprints
 from firebreak_gis.landscape.masks import mask_plane
+from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.vectors import is_vector, read_features
 
 if TYPE_CHECKING:
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
 
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape.planes import Source
-    from firebreak_gis.landscape.target_grid import Account
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +50,7 @@ class Existing:
         return np.array(found)
 
 
-def existing_breaks(source: Source, grid: Grid, *, what: str = "breaks", account: Account) -> Existing:
+def existing_breaks(source: Source, grid: Grid, *, what: str = "breaks", account: Account | None = None) -> Existing:
     """Read breaks one by one: each line or polygon, or each connected piece of a raster.
 
     Parameters
@@ -68,7 +68,15 @@ def existing_breaks(source: Source, grid: Grid, *, what: str = "breaks", account
     ------
     InputError
         If the source cannot be read, or lies elsewhere.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> landscape = fb.read_landscape(**fb.sample_layers(), resolution=200.0)
+    >>> len(fb.existing_breaks("sample_data/roads.gpkg", fb.spread_network(landscape).grid).cells)
+    4
     """
+    account = account or Account()
     mask = mask_plane(source, grid, what=what, rule="touched", solid=True, account=account)
     if not is_vector(source):
         return _pieces(mask, grid)
