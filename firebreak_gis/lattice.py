@@ -7,7 +7,10 @@ is ordered N, NE, E, SE, S, SW, W, NW.
 from __future__ import annotations
 
 import math
-from typing import Final
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:
+    import numpy as np
 
 #: Names in order; the index into this tuple is "the direction" everywhere.
 DIRECTIONS: Final = ("N", "NE", "E", "SE", "S", "SW", "W", "NW")
@@ -26,3 +29,12 @@ OPPOSITE: Final = tuple((d + 4) % 8 for d in range(8))
 NEVER: Final = 0xFFFFFFFF
 #: The longest travel time of an edge [s], 194 days: whole seconds up to here are exact in float32, as files hold them.
 LONGEST: Final = 1 << 24
+
+
+def close_boundary(values: np.ndarray) -> None:
+    """Set the edges of (8, rows, cols) that leave an open grid to 0, in place."""
+    for d in range(8):
+        if ROW_STEP[d]:
+            values[d, -1 if ROW_STEP[d] > 0 else 0, :] = 0.0
+        if COL_STEP[d]:
+            values[d, :, -1 if COL_STEP[d] > 0 else 0] = 0.0

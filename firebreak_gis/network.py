@@ -10,7 +10,7 @@ import numpy as np
 
 from firebreak_gis.errors import GridError, InputError, MissingComponentError, ParameterError
 from firebreak_gis.grid import UNREFERENCED, Grid, parse_crs
-from firebreak_gis.lattice import COL_STEP, DIRECTIONS, LONGEST, NEVER, OPPOSITE, ROW_STEP
+from firebreak_gis.lattice import COL_STEP, DIRECTIONS, LONGEST, NEVER, OPPOSITE, ROW_STEP, close_boundary
 from firebreak_gis.schema import Shown, annotate
 
 if TYPE_CHECKING:
@@ -102,7 +102,7 @@ class SpreadNetwork(Shown):
         if grid is None:
             grid = Grid(shape, transform or UNREFERENCED, None if crs is None else parse_crs(crs))
         if boundary == "open":
-            _close_boundary(values)
+            close_boundary(values)
         fuel = _has_edge(values, boundary) if burnable is None else np.array(burnable, dtype=bool)
         if fuel.shape != shape:
             raise GridError(f"burnable has shape {fuel.shape}, expected {shape}")
@@ -399,15 +399,6 @@ def neighbour(plane: np.ndarray, direction: int, boundary: Boundary = "open") ->
         if dc:
             out[:, -1 if dc > 0 else 0] = 0
     return out
-
-
-def _close_boundary(values: np.ndarray) -> None:
-    """Set the edges that leave an open grid to 0."""
-    for d in range(8):
-        if ROW_STEP[d]:
-            values[d, -1 if ROW_STEP[d] > 0 else 0, :] = 0.0
-        if COL_STEP[d]:
-            values[d, :, -1 if COL_STEP[d] > 0 else 0] = 0.0
 
 
 def _has_edge(values: np.ndarray, boundary: Boundary) -> np.ndarray:
