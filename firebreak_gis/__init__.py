@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     from firebreak_gis.plugins import methods
     from firebreak_gis.rasters import write_raster
     from firebreak_gis.report.exploring import explore
+    from firebreak_gis.report.mapbook import write_book
+    from firebreak_gis.report.mapbook.atlas import read_atlas
     from firebreak_gis.report.page.folder import report_page
     from firebreak_gis.report.plotting import plot
     from firebreak_gis.simulation.distributed import simulate_distributed
@@ -78,6 +80,7 @@ _HOMES = {
     "plot": "report.plotting",
     "Products": "simulation.products",
     "rank": "planning.design",
+    "read_atlas": "report.mapbook.atlas",
     "read_landscape": "landscape",
     "read_landscape_folder": "landscape",
     "read_legend": "landscape.legends",
@@ -96,6 +99,7 @@ _HOMES = {
     "Stakes": "stakes",
     "validate": "evaluation.forecasting",
     "weather_networks": "spread",
+    "write_book": "report.mapbook",
     "write_landscape": "landscape",
     "write_plan": "planning.outputs",
     "write_raster": "rasters",
@@ -111,7 +115,9 @@ COMMANDS: dict[str, str | None] = {
     "demo": "sample_layers",
     "describe": None,
     "doctor": None,
+    "export": "write_vector",
     "legends": "read_legend",
+    "mapbook": "write_book",
     "network": "spread_network",
     "report": "report_page",
     "reproduce": "landscape_experiment",

@@ -64,6 +64,14 @@ def write_book(
     Notes
     -----
     One page is drawn at a time. The finished pages are held in memory until all are there, about 0.1 MB each.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> made = fb.plan(fb.read_landscape(**fb.sample_layers(), resolution=250.0), method="compartments", n_runs=5)
+    >>> files = fb.write_plan(made, "out")
+    >>> fb.write_book("book.pdf", fb.read_atlas("out"), most=2)
+    2
     """
     own = [k for k, length in enumerate(atlas.lines["length_m"]) if length >= shortest][:most]
     content = _drawn(atlas, pages.sheet(paper, portrait=portrait), own, progress)

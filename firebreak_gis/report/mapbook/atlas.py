@@ -164,6 +164,14 @@ def read_atlas(
     ------
     InputError
         If there is no plan, or a file of it is missing or broken.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> made = fb.plan(fb.read_landscape(**fb.sample_layers(), resolution=250.0), method="compartments", n_runs=5)
+    >>> files = fb.write_plan(made, "out")
+    >>> len(fb.read_atlas("out").lines) == len(made.segments.lines)
+    True
     """
     place = Path(source)
     found = _folder(place) if place.is_dir() else _segments(place, dem)
