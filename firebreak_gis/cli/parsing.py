@@ -236,6 +236,19 @@ def value_layers(words: Iterable[str], option: str) -> tuple[ValueLayer, ...]:
     return tuple(made)
 
 
+def hectares(text: Any, option: str) -> float:
+    """Read an area: "500ha", "5km2", or a number of hectares."""
+    word = str(text).strip().lower()
+    factor = 100.0 if word.endswith("km2") else 1.0
+    try:
+        number = factor * float(word.removesuffix("km2").removesuffix("ha"))
+    except ValueError:
+        number = 0.0
+    if not (number > 0 and number < float("inf")):
+        raise ParameterError(f"{option} is {text!r}, expected an area above 0, such as 500ha or 5km2")
+    return number
+
+
 def times(text: Any, option: str) -> list[float]:
     """Split "2h,4h" into rising seconds."""
     from firebreak_gis.simulation.durations import as_seconds

@@ -62,6 +62,13 @@ def stakes(command: F) -> F:
             help="Existing breaks, roads, rivers (raster, lines or polygons): all cells that they cut hold no fuel and "
             "cost nothing.",
         ),
+    ]
+    return _apply(options, values(command))
+
+
+def values(command: F) -> F:
+    """--values and its columns, and --value for several."""
+    options = [
         click.option(
             "--values",
             type=kinds.VECTOR_OR_RASTER,
@@ -89,6 +96,10 @@ def stakes(command: F) -> F:
             "the sum that is planned for) and ,as=density after it as needed; may be repeated, each is told by name.",
         ),
     ]
+    return _apply(options, command)
+
+
+def _apply(options: list[Callable[[Any], Any]], command: F) -> F:
     for option in reversed(options):
         command = option(command)
     return command

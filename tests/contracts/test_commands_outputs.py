@@ -36,6 +36,7 @@ GIVEN = {
     "method_list": "degree,random",
     "budgets": "0.1",
     "residuals": "0",
+    "size_ha": "10ha",
     "scar": "scar.tif",
     "start": "start.tif",
     "duration": "1h",
