@@ -115,6 +115,8 @@ def arrange(run: str, title: str, project: QgsProject | None = None) -> None:
         group.insertChildNodes(0, [node.clone() for node in ordered])
         for node in nodes:
             node.parent().removeChildNode(node)
+        for opened in (False, True):  # the tree of layers may have opened the group while it was empty
+            group.setExpanded(opened)
 
 
 def _rank_of(output: str) -> int:

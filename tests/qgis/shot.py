@@ -11,7 +11,7 @@ from pathlib import Path
 import processing
 from qgis.core import QgsApplication, QgsProject
 from qgis.PyQt.QtCore import QCoreApplication, Qt, QTimer
-from qgis.PyQt.QtWidgets import QDockWidget, QLineEdit, QTabWidget
+from qgis.PyQt.QtWidgets import QComboBox, QDockWidget, QLineEdit, QScrollArea, QTabWidget
 from qgis.utils import iface, loadPlugin, startPlugin
 
 PROJECT = os.environ["SHOT_PROJECT"]
@@ -84,7 +84,15 @@ def show_form():
     dialog.setGeometry(760, 500, 830, 490)
     for tabs in dialog.findChildren(QTabWidget):
         tabs.setCurrentIndex(0)
-    settle(2500, take)
+    settle(1500, lambda: scroll(dialog))
+
+
+def scroll(dialog):
+    """Show the part of the form with budget and ranking."""
+    ranking = next(c for c in dialog.findChildren(QComboBox) if c.findData("dissection") >= 0)
+    for area in dialog.findChildren(QScrollArea):
+        area.ensureWidgetVisible(ranking, 0, 120)
+    settle(1000, take)
 
 
 def take():
