@@ -10,23 +10,23 @@ from collections.abc import Mapping
 #: Options that the plugin sets itself or that mean nothing in a form.
 HIDDEN = frozenset({"output", "overwrite", "as_json", "progress_mode", "verbose", "quiet", "dry_run", "folder"})
 
-#: Options that a form leaves out: that of burn takes a network, which was made for one model and one wind.
-LEFT_OUT: Mapping[str, tuple[str, ...]] = {
-    "burn": (
-        "weather",
-        "weather_step",
-        "weather_columns",
-        "weather_units",
-        "weather_ignore",
-        "model",
-        "model_params",
-        "wind_speed",
-        "wind_from",
-        "wind_uv",
-        "moisture",
-        "neighbourhood",
-    )
-}
+_OF_A_NETWORK = (
+    "weather",
+    "weather_step",
+    "weather_columns",
+    "weather_units",
+    "weather_ignore",
+    "model",
+    "model_params",
+    "wind_speed",
+    "wind_from",
+    "wind_uv",
+    "moisture",
+    "neighbourhood",
+)
+
+#: Options that a form leaves out: these two take a network, which was made for one model and one wind.
+LEFT_OUT: Mapping[str, tuple[str, ...]] = {"burn": _OF_A_NETWORK, "assess": _OF_A_NETWORK}
 
 #: Fields that mean something in the forms named here only.
 ONLY_IN: Mapping[str, tuple[str, ...]] = {"COST": ("plan",)}
@@ -69,6 +69,7 @@ SET_BY_OPTION = frozenset({"wind_speed", "wind_from_direction", "moisture"})
 
 #: Outputs from the top of the map to its bottom.
 DRAWING_ORDER = (
+    "OUTPUT_ASSESSMENT",
     "OUTPUT_SEGMENTS",
     "OUTPUT_BREAK_POLYGONS",
     "OUTPUT_BREAKS",

@@ -18,7 +18,7 @@ _PICTURE_WIDTH = 220  # of the narrow help panel
 _PLACEHOLDER = "example.org"  # stands in metadata.txt until `build_zip.py --release` puts the address in
 #: Where the documentation describes a command; `docs/reference.py` writes it.
 PAGE = "/generated/commands.html#firebreak-{command}"
-_FILTERS = {".csv": "CSV", ".png": "PNG", ".svg": "SVG", ".html": "HTML", ".json": "JSON"}
+_FILTERS = {".csv": "CSV", ".png": "PNG", ".svg": "SVG", ".html": "HTML", ".json": "JSON", ".txt": "TXT"}
 
 
 def translated(text: str) -> str:

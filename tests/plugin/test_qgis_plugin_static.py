@@ -229,6 +229,7 @@ def test_groups():
         "2 Rank and cut": ["Plan fire breaks", "Rank cells", "Select fire breaks", "Segments to build"],
         "3 Burn": ["Burn frequency"],
         "4 Judge": [
+            "Judge existing breaks",
             "Evaluate",
             "Compare",
             "Validate against a scar",

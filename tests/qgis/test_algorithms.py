@@ -126,6 +126,26 @@ def test_burn(data, reference, tmp_path):
     assert 0 < found["MEAN_BURNT_SHARE"] <= found["MAX_BURNT_SHARE"] <= 1
 
 
+def test_assess(reference, tmp_path):
+    """Each connected piece of the breaks is judged; a coarse gap and one place keep it short."""
+    few = ("--runs", QUICK["N_RUNS"], "--placements", 1, "--most-gaps", 2)
+    firebreak("assess", *few, "-o", tmp_path / "own", reference / "network.tif", reference / "breaks.tif")
+    found = run(
+        "assess",
+        INPUT_NETWORK=str(reference / "network.tif"),
+        INPUT_BREAKS=str(reference / "breaks.tif"),
+        N_RUNS=QUICK["N_RUNS"],
+        PLACEMENTS=1,
+        MOST_GAPS=2,
+        OUTPUT_ASSESSMENT=str(tmp_path / "a.gpkg"),
+        OUTPUT_BREAK_WORTH=str(tmp_path / "b.csv"),
+        OUTPUT_SUMMARY=str(tmp_path / "s.txt"),
+    )
+    assert features(found["OUTPUT_ASSESSMENT"]) == features(tmp_path / "own" / "assessment.gpkg") != []
+    assert Path(found["OUTPUT_BREAK_WORTH"]).read_bytes() == (tmp_path / "own" / "break_worth.csv").read_bytes()
+    assert Path(found["OUTPUT_SUMMARY"]).read_text(encoding="utf-8").strip()
+
+
 def test_evaluate(reference, tmp_path):
     found = run(
         "evaluate",
@@ -585,7 +605,7 @@ def test_provider_and_forms(provider):
             default = definition.defaultValue()
             assert default is None or definition.checkValueIsAcceptable(default), definition.name()
         assert all(
-            d.defaultFileExtension() in ("tif", "gpkg", "csv", "png", "svg", "json", "html", "toml")
+            d.defaultFileExtension() in ("tif", "gpkg", "csv", "png", "svg", "json", "html", "toml", "txt")
             for d in algorithm.destinationParameterDefinitions()
             if d.type() != "folderDestination"
         )
