@@ -198,9 +198,9 @@ FORMS = (
         ("network", "mask", "longest_gap", "residual", *_CLOCK, *_FIRES),
         ("OUTPUT_ASSESSMENT", "OUTPUT_SUMMARY"),
         "Tell what each existing fire break is worth, and which gap between breaks matters most.\n\n"
-        "The same fires burn with all breaks, without each of them, and with each gap closed, so the differences are the "
-        "work of that break alone. The same break at random places stands beside it. The network must hold the fuel "
-        "that lies on the breaks.",
+        "The same fires burn with all breaks, without each of them, and with each gap closed, so the differences are "
+        "the work of that break alone. The same break at random places stands beside it. The network must hold the "
+        "fuel that lies on the breaks.",
         tags=("gap", "existing", "maintenance"),
     ),
     Form(

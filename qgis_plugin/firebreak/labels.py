@@ -105,6 +105,8 @@ LABELS: Mapping[str, str] = {
     "by": "Times for the folder of arrival times, such as 2h,4h",
     "size_classes": "Limits of the classes of fire sizes [hectares]",
     "flame_lengths": "Flame lengths for the folder of arrival times [m]",
+    "goal": "Fires that the plan is made for",
+    "value_layers": "Several values at risk, such as people=villages.gpkg,weight=2",
     "longest_gap": "Longest gap that is looked at [m]",
     "most_gaps": "Most gaps that are looked at",
     "placements": "Random places to compare each break with",
@@ -126,6 +128,7 @@ CHOICES: Mapping[str, Mapping[str, str]] = {
     "neighbourhood": {"moore": "All eight", "von_neumann": "The four that share a side"},
     "budget_unit": {"share": "Share of the fuel (0 to 1)", "ha": "Hectares", "cost": "Money"},
     "protected_rule": {"every-part": "Cells with any part in the area", "centre": "Cells whose centre is in the area"},
+    "goal": {"mean": "The mean fire", "worst-tenth": "The worst tenth of the fires"},
     "what": {"lines": "Their middle lines", "polygons": "Their outlines"},
     "values_as": {"amount": "So much in each cell, polygon or point", "density": "So much a hectare"},
     "ignition_mode": {
@@ -164,6 +167,8 @@ HELP_OF_FORMS: Mapping[str, str] = {
     "wind_speed": "Wind speed at mid-flame height in m/s, or a raster of it on any grid.",
     "legend": "What the vegetation codes mean: a built-in legend, or a CSV file of your own.",
     "density_legend": "What the density codes mean: a built-in legend, or a CSV file of your own.",
+    "value_layers": "Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in "
+    "the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.",
     "where": "Take only features that fit a condition, with the name of the layer before it, such as "
     "barriers=highway = 'primary'; several are separated by ;.",
     "neighbourhood": "Cells to which fire can spread from a cell.",

@@ -115,8 +115,9 @@ def _titles() -> dict[str, str]:
 
 @lru_cache(maxsize=1)
 def _arguments() -> dict[str, str]:
-    """Return the label of every argument, by its name in help texts."""
-    options = (option for c in document()["commands"].values() for option in c.get("parameters", ()))
+    """Return the label of every argument of a form, by its name in help texts."""
+    commands = (document()["commands"].get(form.name, {}) for form in forms.FORMS)
+    options = (option for command in commands for option in command.get("parameters", ()))
     return {o["name"].upper(): label_of(o["name"]) for o in options if "flags" not in o}
 
 

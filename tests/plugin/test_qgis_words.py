@@ -71,7 +71,7 @@ def test_lists_are_read_and_no_two_words_are_alike():
             for choice, word in zip(field.choices, field.words, strict=True):
                 assert "_" not in word, (field.name, word)
                 assert word[0].isupper()
-                assert len(word) > len(choice), (field.name, word)
+                assert word != choice, (field.name, word)
                 seen += 1
     assert seen > 200
 

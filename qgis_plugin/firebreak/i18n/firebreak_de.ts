@@ -684,12 +684,28 @@
         <translation>Verbessert die Schneisen durch örtliche Suche an simulierten Feuern; dauert länger.</translation>
     </message>
     <message>
+        <source>Fires that the plan is made for</source>
+        <translation>Feuer, für die der Plan gemacht wird</translation>
+    </message>
+    <message>
+        <source>What is to be small: the loss of the mean fire, or that of the worst tenth of the fires (CVaR).</source>
+        <translation>Was klein sein soll: der Verlust des mittleren Feuers, oder der des schlimmsten Zehntels der Feuer (CVaR).</translation>
+    </message>
+    <message>
+        <source>The mean fire</source>
+        <translation>Das mittlere Feuer</translation>
+    </message>
+    <message>
+        <source>The worst tenth of the fires</source>
+        <translation>Das schlimmste Zehntel der Feuer</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Behandlungen (CSV, oder default)</translation>
     </message>
     <message>
-        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost [default: all segments alike, by "Share of the spread that a break lets through"].</source>
-        <translation>Tabelle der Behandlungen (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), oder default: jedes Teilstück erhält die, die für ihre Kosten am meisten erspart [sonst alle Teilstücke gleich, nach "Anteil der Ausbreitung"].</translation>
+        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost, a budget in cost is what they cost, and fires burn with what they leave [default: all segments alike, by "Share of the spread that a break lets through"].</source>
+        <translation>Tabelle der Behandlungen (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), oder default: jedes Teilstück erhält die, die für ihre Kosten am meisten erspart, ein Budget in Geld ist, was sie kosten, und Feuer brennen mit dem, was sie übrig lassen [sonst alle Teilstücke gleich, nach "Anteil der Ausbreitung"].</translation>
     </message>
     <message>
         <source>as a word</source>
@@ -770,6 +786,14 @@
     <message>
         <source>So much a hectare</source>
         <translation>Soviel je Hektar</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Mehrere gefährdete Werte, z. B. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Mehrere gefährdete Werte, jeder als Name und Datei, dahinter nach Bedarf sein Feld, ein Gewicht (was eine Einheit in der Summe zählt, für die geplant wird) und as=density; mehrere durch ; getrennt, jeder wird mit Namen angegeben.</translation>
     </message>
     <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
@@ -944,6 +968,10 @@
         <translation>Brandhäufigkeit mit den Schneisen</translation>
     </message>
     <message>
+        <source>What the plan does for its goal and for all others</source>
+        <translation>Was der Plan für sein Ziel und für alle anderen leistet</translation>
+    </message>
+    <message>
         <source>Size of every fire without and with the breaks</source>
         <translation>Größe jedes Feuers ohne und mit den Schneisen</translation>
     </message>
@@ -1064,6 +1092,22 @@
         <translation>als Polygone oder Linien</translation>
     </message>
     <message>
+        <source>What of the segments goes into a format with one layer</source>
+        <translation>Was von den Teilstücken in ein Format mit einem Layer kommt</translation>
+    </message>
+    <message>
+        <source>Layer of the segments to write: middle lines or outlines [default: both in .gpkg, else the lines].</source>
+        <translation>Layer der Teilstücke, der geschrieben wird: Mittellinien oder Umrisse [sonst beide in .gpkg, in anderen die Linien].</translation>
+    </message>
+    <message>
+        <source>Their middle lines</source>
+        <translation>Ihre Mittellinien</translation>
+    </message>
+    <message>
+        <source>Their outlines</source>
+        <translation>Ihre Umrisse</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Brandhäufigkeit</translation>
     </message>
@@ -1154,6 +1198,58 @@
     <message>
         <source>Folder for arrival times, isochrones and more</source>
         <translation>Ordner für Ankunftszeiten, Isochronen und mehr</translation>
+    </message>
+    <message>
+        <source>Judge existing breaks</source>
+        <translation>Vorhandene Schneisen beurteilen</translation>
+    </message>
+    <message>
+        <source>Tell what each existing fire break is worth, and which gap between breaks matters most.</source>
+        <translation>Sagt, was jede vorhandene Brandschneise wert ist und welche Lücke zwischen Schneisen am meisten zählt.</translation>
+    </message>
+    <message>
+        <source>The same fires burn with all breaks, without each of them, and with each gap closed, so the differences are the work of that break alone. The same break at random places stands beside it. The network must hold the fuel that lies on the breaks.</source>
+        <translation>Dieselben Feuer brennen mit allen Schneisen, ohne jede von ihnen und mit jeder geschlossenen Lücke, die Unterschiede sind also das Werk dieser Schneise allein. Daneben steht dieselbe Schneise an zufälligen Orten. Das Netz muss den Brennstoff enthalten, der auf den Schneisen liegt.</translation>
+    </message>
+    <message>
+        <source>Longest gap that is looked at [m]</source>
+        <translation>Längste Lücke, die betrachtet wird [m]</translation>
+    </message>
+    <message>
+        <source>Length of the longest gap that is looked at, in metres.</source>
+        <translation>Länge der längsten Lücke, die betrachtet wird, in Metern.</translation>
+    </message>
+    <message>
+        <source>Most gaps that are looked at</source>
+        <translation>Höchstzahl betrachteter Lücken</translation>
+    </message>
+    <message>
+        <source>Number of gaps looked at, the shortest.</source>
+        <translation>Zahl der betrachteten Lücken, die kürzesten.</translation>
+    </message>
+    <message>
+        <source>Random places to compare each break with</source>
+        <translation>Zufällige Orte, mit denen jede Schneise verglichen wird</translation>
+    </message>
+    <message>
+        <source>Number of random places at which each break and gap is tried as well, to compare with; 0 leaves them out.</source>
+        <translation>Zahl zufälliger Orte, an denen jede Schneise und Lücke zum Vergleich ebenfalls versucht wird; 0 lässt sie weg.</translation>
+    </message>
+    <message>
+        <source>Breaks with what each is worth, and gaps with what closing them saves</source>
+        <translation>Schneisen mit dem, was jede wert ist, und Lücken mit dem, was ihr Schließen erspart</translation>
+    </message>
+    <message>
+        <source>What each break is worth</source>
+        <translation>Was jede Schneise wert ist</translation>
+    </message>
+    <message>
+        <source>What closing each gap saves</source>
+        <translation>Was das Schließen jeder Lücke erspart</translation>
+    </message>
+    <message>
+        <source>What stands and what is missing, in words</source>
+        <translation>Was steht und was fehlt, in Worten</translation>
     </message>
     <message>
         <source>Evaluate</source>

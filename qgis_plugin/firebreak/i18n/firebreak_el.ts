@@ -684,12 +684,28 @@
         <translation>Βελτιώνει τις ζώνες με τοπική αναζήτηση σε προσομοιωμένες πυρκαγιές· διαρκεί περισσότερο.</translation>
     </message>
     <message>
+        <source>Fires that the plan is made for</source>
+        <translation>Πυρκαγιές για τις οποίες γίνεται το σχέδιο</translation>
+    </message>
+    <message>
+        <source>What is to be small: the loss of the mean fire, or that of the worst tenth of the fires (CVaR).</source>
+        <translation>Τι πρέπει να είναι μικρό: η απώλεια της μέσης πυρκαγιάς, ή εκείνη του χειρότερου δεκάτου των πυρκαγιών (CVaR).</translation>
+    </message>
+    <message>
+        <source>The mean fire</source>
+        <translation>Η μέση πυρκαγιά</translation>
+    </message>
+    <message>
+        <source>The worst tenth of the fires</source>
+        <translation>Το χειρότερο δέκατο των πυρκαγιών</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Χειρισμοί (CSV, ή default)</translation>
     </message>
     <message>
-        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost [default: all segments alike, by "Share of the spread that a break lets through"].</source>
-        <translation>Πίνακας χειρισμών (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), ή default: κάθε τμήμα παίρνει εκείνον που σώζει περισσότερα για το κόστος του [αλλιώς όλα τα τμήματα όμοια, κατά "Ποσοστό της εξάπλωσης που αφήνει να περάσει μια ζώνη"].</translation>
+        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost, a budget in cost is what they cost, and fires burn with what they leave [default: all segments alike, by "Share of the spread that a break lets through"].</source>
+        <translation>Πίνακας χειρισμών (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), ή default: κάθε τμήμα παίρνει εκείνον που σώζει περισσότερα για το κόστος του, ένας προϋπολογισμός σε χρήματα είναι όσα κοστίζουν, και οι πυρκαγιές καίνε με όσα αφήνουν [αλλιώς όλα τα τμήματα όμοια, κατά "Ποσοστό της εξάπλωσης που αφήνει να περάσει μια ζώνη"].</translation>
     </message>
     <message>
         <source>as a word</source>
@@ -770,6 +786,14 @@
     <message>
         <source>So much a hectare</source>
         <translation>Τόσο ανά εκτάριο</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Πολλές αξίες σε κίνδυνο, π.χ. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Πολλές αξίες σε κίνδυνο, καθεμία ως όνομα και αρχείο, και μετά, αν χρειάζεται, το πεδίο της, ένα βάρος (πόσο μετρά μια μονάδα στο άθροισμα για το οποίο γίνεται το σχέδιο) και as=density· πολλές χωρίζονται με ;, καθεμία δίνεται με το όνομά της.</translation>
     </message>
     <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
@@ -944,6 +968,10 @@
         <translation>Συχνότητα καύσης με τις ζώνες</translation>
     </message>
     <message>
+        <source>What the plan does for its goal and for all others</source>
+        <translation>Τι πετυχαίνει το σχέδιο για τον στόχο του και για όλους τους άλλους</translation>
+    </message>
+    <message>
         <source>Size of every fire without and with the breaks</source>
         <translation>Μέγεθος κάθε πυρκαγιάς χωρίς και με τις ζώνες</translation>
     </message>
@@ -1064,6 +1092,22 @@
         <translation>ως πολύγωνα ή γραμμές</translation>
     </message>
     <message>
+        <source>What of the segments goes into a format with one layer</source>
+        <translation>Τι από τα τμήματα μπαίνει σε μορφή με ένα επίπεδο</translation>
+    </message>
+    <message>
+        <source>Layer of the segments to write: middle lines or outlines [default: both in .gpkg, else the lines].</source>
+        <translation>Επίπεδο των τμημάτων που γράφεται: μέσες γραμμές ή περιγράμματα [αλλιώς και τα δύο σε .gpkg, σε άλλες μορφές οι γραμμές].</translation>
+    </message>
+    <message>
+        <source>Their middle lines</source>
+        <translation>Οι μέσες γραμμές τους</translation>
+    </message>
+    <message>
+        <source>Their outlines</source>
+        <translation>Τα περιγράμματά τους</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Συχνότητα καύσης</translation>
     </message>
@@ -1154,6 +1198,58 @@
     <message>
         <source>Folder for arrival times, isochrones and more</source>
         <translation>Φάκελος για χρόνους άφιξης, ισόχρονες και άλλα</translation>
+    </message>
+    <message>
+        <source>Judge existing breaks</source>
+        <translation>Αξιολόγηση υπαρχουσών ζωνών</translation>
+    </message>
+    <message>
+        <source>Tell what each existing fire break is worth, and which gap between breaks matters most.</source>
+        <translation>Λέει πόσο αξίζει κάθε υπάρχουσα αντιπυρική ζώνη και ποιο κενό ανάμεσα στις ζώνες μετρά περισσότερο.</translation>
+    </message>
+    <message>
+        <source>The same fires burn with all breaks, without each of them, and with each gap closed, so the differences are the work of that break alone. The same break at random places stands beside it. The network must hold the fuel that lies on the breaks.</source>
+        <translation>Οι ίδιες πυρκαγιές καίνε με όλες τις ζώνες, χωρίς καθεμία τους και με κάθε κενό κλειστό, άρα οι διαφορές οφείλονται μόνο σε εκείνη τη ζώνη. Δίπλα της βρίσκεται η ίδια ζώνη σε τυχαίες θέσεις. Το δίκτυο πρέπει να περιέχει την καύσιμη ύλη που βρίσκεται πάνω στις ζώνες.</translation>
+    </message>
+    <message>
+        <source>Longest gap that is looked at [m]</source>
+        <translation>Μεγαλύτερο κενό που εξετάζεται [m]</translation>
+    </message>
+    <message>
+        <source>Length of the longest gap that is looked at, in metres.</source>
+        <translation>Μήκος του μεγαλύτερου κενού που εξετάζεται, σε μέτρα.</translation>
+    </message>
+    <message>
+        <source>Most gaps that are looked at</source>
+        <translation>Μέγιστος αριθμός κενών που εξετάζονται</translation>
+    </message>
+    <message>
+        <source>Number of gaps looked at, the shortest.</source>
+        <translation>Αριθμός κενών που εξετάζονται, τα μικρότερα.</translation>
+    </message>
+    <message>
+        <source>Random places to compare each break with</source>
+        <translation>Τυχαίες θέσεις με τις οποίες συγκρίνεται κάθε ζώνη</translation>
+    </message>
+    <message>
+        <source>Number of random places at which each break and gap is tried as well, to compare with; 0 leaves them out.</source>
+        <translation>Αριθμός τυχαίων θέσεων όπου δοκιμάζονται και κάθε ζώνη και κάθε κενό, για σύγκριση· 0 τις παραλείπει.</translation>
+    </message>
+    <message>
+        <source>Breaks with what each is worth, and gaps with what closing them saves</source>
+        <translation>Ζώνες με την αξία της καθεμίας, και κενά με όσα σώζει το κλείσιμό τους</translation>
+    </message>
+    <message>
+        <source>What each break is worth</source>
+        <translation>Πόσο αξίζει κάθε ζώνη</translation>
+    </message>
+    <message>
+        <source>What closing each gap saves</source>
+        <translation>Πόσα σώζει το κλείσιμο κάθε κενού</translation>
+    </message>
+    <message>
+        <source>What stands and what is missing, in words</source>
+        <translation>Τι υπάρχει και τι λείπει, με λόγια</translation>
     </message>
     <message>
         <source>Evaluate</source>

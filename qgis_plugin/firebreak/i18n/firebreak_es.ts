@@ -684,12 +684,28 @@
         <translation>Mejora los cortafuegos por búsqueda local con incendios simulados; tarda más.</translation>
     </message>
     <message>
+        <source>Fires that the plan is made for</source>
+        <translation>Incendios para los que se hace el plan</translation>
+    </message>
+    <message>
+        <source>What is to be small: the loss of the mean fire, or that of the worst tenth of the fires (CVaR).</source>
+        <translation>Qué debe ser pequeño: la pérdida del incendio medio, o la de la peor décima parte de los incendios (CVaR).</translation>
+    </message>
+    <message>
+        <source>The mean fire</source>
+        <translation>El incendio medio</translation>
+    </message>
+    <message>
+        <source>The worst tenth of the fires</source>
+        <translation>La peor décima parte de los incendios</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Tratamientos (CSV, o default)</translation>
     </message>
     <message>
-        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost [default: all segments alike, by "Share of the spread that a break lets through"].</source>
-        <translation>Tabla de tratamientos (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), o default: cada tramo recibe el que más ahorra por su coste [si no, todos los tramos iguales, según "Proporción de la propagación que deja pasar un cortafuegos"].</translation>
+        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost, a budget in cost is what they cost, and fires burn with what they leave [default: all segments alike, by "Share of the spread that a break lets through"].</source>
+        <translation>Tabla de tratamientos (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), o default: cada tramo recibe el que más ahorra por su coste, un presupuesto en dinero es lo que cuestan, y los incendios arden con lo que dejan [si no, todos los tramos iguales, según "Proporción de la propagación que deja pasar un cortafuegos"].</translation>
     </message>
     <message>
         <source>as a word</source>
@@ -770,6 +786,14 @@
     <message>
         <source>So much a hectare</source>
         <translation>Tanto por hectárea</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Varios valores en riesgo, p. ej. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Varios valores en riesgo, cada uno como nombre y archivo, seguido si hace falta de su campo, un peso (lo que cuenta una unidad en la suma para la que se planifica) y as=density; varios se separan con ;, cada uno se da por su nombre.</translation>
     </message>
     <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
@@ -944,6 +968,10 @@
         <translation>Frecuencia de quema con los cortafuegos</translation>
     </message>
     <message>
+        <source>What the plan does for its goal and for all others</source>
+        <translation>Lo que hace el plan por su objetivo y por todos los demás</translation>
+    </message>
+    <message>
         <source>Size of every fire without and with the breaks</source>
         <translation>Tamaño de cada incendio sin y con los cortafuegos</translation>
     </message>
@@ -1064,6 +1092,22 @@
         <translation>como polígonos o líneas</translation>
     </message>
     <message>
+        <source>What of the segments goes into a format with one layer</source>
+        <translation>Qué de los tramos va a un formato de una sola capa</translation>
+    </message>
+    <message>
+        <source>Layer of the segments to write: middle lines or outlines [default: both in .gpkg, else the lines].</source>
+        <translation>Capa de los tramos que se escribe: líneas medias o contornos [si no, ambas en .gpkg, en otros las líneas].</translation>
+    </message>
+    <message>
+        <source>Their middle lines</source>
+        <translation>Sus líneas medias</translation>
+    </message>
+    <message>
+        <source>Their outlines</source>
+        <translation>Sus contornos</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Frecuencia de quema</translation>
     </message>
@@ -1154,6 +1198,58 @@
     <message>
         <source>Folder for arrival times, isochrones and more</source>
         <translation>Carpeta para tiempos de llegada, isócronas y más</translation>
+    </message>
+    <message>
+        <source>Judge existing breaks</source>
+        <translation>Valorar cortafuegos existentes</translation>
+    </message>
+    <message>
+        <source>Tell what each existing fire break is worth, and which gap between breaks matters most.</source>
+        <translation>Dice cuánto vale cada cortafuegos existente y qué hueco entre cortafuegos importa más.</translation>
+    </message>
+    <message>
+        <source>The same fires burn with all breaks, without each of them, and with each gap closed, so the differences are the work of that break alone. The same break at random places stands beside it. The network must hold the fuel that lies on the breaks.</source>
+        <translation>Los mismos incendios arden con todos los cortafuegos, sin cada uno de ellos y con cada hueco cerrado, de modo que las diferencias se deben solo a ese cortafuegos. A su lado está el mismo cortafuegos en lugares al azar. La red debe contener el combustible que hay sobre los cortafuegos.</translation>
+    </message>
+    <message>
+        <source>Longest gap that is looked at [m]</source>
+        <translation>Hueco más largo que se considera [m]</translation>
+    </message>
+    <message>
+        <source>Length of the longest gap that is looked at, in metres.</source>
+        <translation>Longitud del hueco más largo que se considera, en metros.</translation>
+    </message>
+    <message>
+        <source>Most gaps that are looked at</source>
+        <translation>Número máximo de huecos que se consideran</translation>
+    </message>
+    <message>
+        <source>Number of gaps looked at, the shortest.</source>
+        <translation>Número de huecos que se consideran, los más cortos.</translation>
+    </message>
+    <message>
+        <source>Random places to compare each break with</source>
+        <translation>Lugares al azar con los que se compara cada cortafuegos</translation>
+    </message>
+    <message>
+        <source>Number of random places at which each break and gap is tried as well, to compare with; 0 leaves them out.</source>
+        <translation>Número de lugares al azar en que se prueban también cada cortafuegos y cada hueco, para comparar; 0 los deja fuera.</translation>
+    </message>
+    <message>
+        <source>Breaks with what each is worth, and gaps with what closing them saves</source>
+        <translation>Cortafuegos con lo que vale cada uno, y huecos con lo que ahorra cerrarlos</translation>
+    </message>
+    <message>
+        <source>What each break is worth</source>
+        <translation>Cuánto vale cada cortafuegos</translation>
+    </message>
+    <message>
+        <source>What closing each gap saves</source>
+        <translation>Cuánto ahorra cerrar cada hueco</translation>
+    </message>
+    <message>
+        <source>What stands and what is missing, in words</source>
+        <translation>Lo que hay y lo que falta, en palabras</translation>
     </message>
     <message>
         <source>Evaluate</source>

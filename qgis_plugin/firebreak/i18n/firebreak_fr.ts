@@ -684,12 +684,28 @@
         <translation>Améliore les pare-feu par recherche locale sur des feux simulés ; plus long.</translation>
     </message>
     <message>
+        <source>Fires that the plan is made for</source>
+        <translation>Feux pour lesquels le plan est fait</translation>
+    </message>
+    <message>
+        <source>What is to be small: the loss of the mean fire, or that of the worst tenth of the fires (CVaR).</source>
+        <translation>Ce qui doit être petit : la perte du feu moyen, ou celle du pire dixième des feux (CVaR).</translation>
+    </message>
+    <message>
+        <source>The mean fire</source>
+        <translation>Le feu moyen</translation>
+    </message>
+    <message>
+        <source>The worst tenth of the fires</source>
+        <translation>Le pire dixième des feux</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Traitements (CSV, ou default)</translation>
     </message>
     <message>
-        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost [default: all segments alike, by "Share of the spread that a break lets through"].</source>
-        <translation>Tableau des traitements (CSV : name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), ou default : chaque tronçon reçoit celui qui épargne le plus pour son coût [sinon tous les tronçons pareils, selon "Part de la propagation qu'un pare-feu laisse passer"].</translation>
+        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost, a budget in cost is what they cost, and fires burn with what they leave [default: all segments alike, by "Share of the spread that a break lets through"].</source>
+        <translation>Tableau des traitements (CSV : name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), ou default : chaque tronçon reçoit celui qui épargne le plus pour son coût, un budget en argent est ce qu'ils coûtent, et les feux brûlent avec ce qu'ils laissent [sinon tous les tronçons pareils, selon "Part de la propagation qu'un pare-feu laisse passer"].</translation>
     </message>
     <message>
         <source>as a word</source>
@@ -770,6 +786,14 @@
     <message>
         <source>So much a hectare</source>
         <translation>Tant par hectare</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Plusieurs enjeux exposés, p. ex. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Plusieurs enjeux, chacun comme nom et fichier, suivi au besoin de son champ, d'un poids (ce que compte une unité dans la somme pour laquelle on planifie) et de as=density ; plusieurs se séparent par ;, chacun est donné par son nom.</translation>
     </message>
     <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
@@ -944,6 +968,10 @@
         <translation>Fréquence de brûlage avec les pare-feu</translation>
     </message>
     <message>
+        <source>What the plan does for its goal and for all others</source>
+        <translation>Ce que le plan fait pour son but et pour tous les autres</translation>
+    </message>
+    <message>
         <source>Size of every fire without and with the breaks</source>
         <translation>Taille de chaque feu sans et avec les pare-feu</translation>
     </message>
@@ -1064,6 +1092,22 @@
         <translation>comme polygones ou lignes</translation>
     </message>
     <message>
+        <source>What of the segments goes into a format with one layer</source>
+        <translation>Ce qui des tronçons va dans un format à une seule couche</translation>
+    </message>
+    <message>
+        <source>Layer of the segments to write: middle lines or outlines [default: both in .gpkg, else the lines].</source>
+        <translation>Couche des tronçons à écrire : lignes médianes ou contours [sinon les deux en .gpkg, ailleurs les lignes].</translation>
+    </message>
+    <message>
+        <source>Their middle lines</source>
+        <translation>Leurs lignes médianes</translation>
+    </message>
+    <message>
+        <source>Their outlines</source>
+        <translation>Leurs contours</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Fréquence de brûlage</translation>
     </message>
@@ -1154,6 +1198,58 @@
     <message>
         <source>Folder for arrival times, isochrones and more</source>
         <translation>Dossier pour temps d'arrivée, isochrones et autres</translation>
+    </message>
+    <message>
+        <source>Judge existing breaks</source>
+        <translation>Juger des pare-feu existants</translation>
+    </message>
+    <message>
+        <source>Tell what each existing fire break is worth, and which gap between breaks matters most.</source>
+        <translation>Dit ce que vaut chaque pare-feu existant, et quelle brèche entre pare-feu compte le plus.</translation>
+    </message>
+    <message>
+        <source>The same fires burn with all breaks, without each of them, and with each gap closed, so the differences are the work of that break alone. The same break at random places stands beside it. The network must hold the fuel that lies on the breaks.</source>
+        <translation>Les mêmes feux brûlent avec tous les pare-feu, sans chacun d'eux et avec chaque brèche fermée ; les différences sont donc l'œuvre de ce seul pare-feu. À côté se tient le même pare-feu à des endroits au hasard. Le réseau doit contenir le combustible qui se trouve sur les pare-feu.</translation>
+    </message>
+    <message>
+        <source>Longest gap that is looked at [m]</source>
+        <translation>Plus longue brèche considérée [m]</translation>
+    </message>
+    <message>
+        <source>Length of the longest gap that is looked at, in metres.</source>
+        <translation>Longueur de la plus longue brèche considérée, en mètres.</translation>
+    </message>
+    <message>
+        <source>Most gaps that are looked at</source>
+        <translation>Nombre maximal de brèches considérées</translation>
+    </message>
+    <message>
+        <source>Number of gaps looked at, the shortest.</source>
+        <translation>Nombre de brèches considérées, les plus courtes.</translation>
+    </message>
+    <message>
+        <source>Random places to compare each break with</source>
+        <translation>Endroits au hasard auxquels comparer chaque pare-feu</translation>
+    </message>
+    <message>
+        <source>Number of random places at which each break and gap is tried as well, to compare with; 0 leaves them out.</source>
+        <translation>Nombre d'endroits au hasard où chaque pare-feu et chaque brèche sont essayés aussi, pour comparer ; 0 les laisse de côté.</translation>
+    </message>
+    <message>
+        <source>Breaks with what each is worth, and gaps with what closing them saves</source>
+        <translation>Pare-feu avec ce que vaut chacun, et brèches avec ce qu'épargne leur fermeture</translation>
+    </message>
+    <message>
+        <source>What each break is worth</source>
+        <translation>Ce que vaut chaque pare-feu</translation>
+    </message>
+    <message>
+        <source>What closing each gap saves</source>
+        <translation>Ce qu'épargne la fermeture de chaque brèche</translation>
+    </message>
+    <message>
+        <source>What stands and what is missing, in words</source>
+        <translation>Ce qui tient et ce qui manque, en mots</translation>
     </message>
     <message>
         <source>Evaluate</source>

@@ -684,12 +684,28 @@
         <translation>Migliora i viali con una ricerca locale su incendi simulati; richiede più tempo.</translation>
     </message>
     <message>
+        <source>Fires that the plan is made for</source>
+        <translation>Incendi per cui il piano è fatto</translation>
+    </message>
+    <message>
+        <source>What is to be small: the loss of the mean fire, or that of the worst tenth of the fires (CVaR).</source>
+        <translation>Che cosa deve essere piccolo: la perdita dell'incendio medio, o quella del decimo peggiore degli incendi (CVaR).</translation>
+    </message>
+    <message>
+        <source>The mean fire</source>
+        <translation>L'incendio medio</translation>
+    </message>
+    <message>
+        <source>The worst tenth of the fires</source>
+        <translation>Il decimo peggiore degli incendi</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Trattamenti (CSV, o default)</translation>
     </message>
     <message>
-        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost [default: all segments alike, by "Share of the spread that a break lets through"].</source>
-        <translation>Tabella dei trattamenti (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), o default: ogni tratto riceve quello che più risparmia per il suo costo [altrimenti tutti i tratti uguali, secondo "Quota della propagazione che un viale lascia passare"].</translation>
+        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost, a budget in cost is what they cost, and fires burn with what they leave [default: all segments alike, by "Share of the spread that a break lets through"].</source>
+        <translation>Tabella dei trattamenti (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), o default: ogni tratto riceve quello che più risparmia per il suo costo, un budget in denaro è ciò che costano, e gli incendi bruciano con ciò che lasciano [altrimenti tutti i tratti uguali, secondo "Quota della propagazione che un viale lascia passare"].</translation>
     </message>
     <message>
         <source>as a word</source>
@@ -770,6 +786,14 @@
     <message>
         <source>So much a hectare</source>
         <translation>Tanto per ettaro</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Più valori a rischio, ad es. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Più valori a rischio, ciascuno come nome e file, seguito se serve dal suo campo, da un peso (quanto conta un'unità nella somma per cui si pianifica) e da as=density; più valori si separano con ;, ciascuno è detto per nome.</translation>
     </message>
     <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
@@ -944,6 +968,10 @@
         <translation>Frequenza di incendio con i viali</translation>
     </message>
     <message>
+        <source>What the plan does for its goal and for all others</source>
+        <translation>Che cosa fa il piano per il suo scopo e per tutti gli altri</translation>
+    </message>
+    <message>
         <source>Size of every fire without and with the breaks</source>
         <translation>Dimensione di ogni incendio senza e con i viali</translation>
     </message>
@@ -1064,6 +1092,22 @@
         <translation>come poligoni o linee</translation>
     </message>
     <message>
+        <source>What of the segments goes into a format with one layer</source>
+        <translation>Che cosa dei tratti va in un formato con un solo layer</translation>
+    </message>
+    <message>
+        <source>Layer of the segments to write: middle lines or outlines [default: both in .gpkg, else the lines].</source>
+        <translation>Layer dei tratti da scrivere: linee mediane o contorni [altrimenti entrambi in .gpkg, in altri le linee].</translation>
+    </message>
+    <message>
+        <source>Their middle lines</source>
+        <translation>Le loro linee mediane</translation>
+    </message>
+    <message>
+        <source>Their outlines</source>
+        <translation>I loro contorni</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Frequenza di incendio</translation>
     </message>
@@ -1154,6 +1198,58 @@
     <message>
         <source>Folder for arrival times, isochrones and more</source>
         <translation>Cartella per tempi di arrivo, isocrone e altro</translation>
+    </message>
+    <message>
+        <source>Judge existing breaks</source>
+        <translation>Giudicare viali esistenti</translation>
+    </message>
+    <message>
+        <source>Tell what each existing fire break is worth, and which gap between breaks matters most.</source>
+        <translation>Dice quanto vale ogni viale tagliafuoco esistente e quale varco tra i viali conta di più.</translation>
+    </message>
+    <message>
+        <source>The same fires burn with all breaks, without each of them, and with each gap closed, so the differences are the work of that break alone. The same break at random places stands beside it. The network must hold the fuel that lies on the breaks.</source>
+        <translation>Gli stessi incendi bruciano con tutti i viali, senza ciascuno di essi e con ogni varco chiuso, perciò le differenze sono opera di quel solo viale. Accanto sta lo stesso viale in luoghi a caso. La rete deve contenere il combustibile che si trova sui viali.</translation>
+    </message>
+    <message>
+        <source>Longest gap that is looked at [m]</source>
+        <translation>Varco più lungo che si considera [m]</translation>
+    </message>
+    <message>
+        <source>Length of the longest gap that is looked at, in metres.</source>
+        <translation>Lunghezza del varco più lungo che si considera, in metri.</translation>
+    </message>
+    <message>
+        <source>Most gaps that are looked at</source>
+        <translation>Numero massimo di varchi che si considerano</translation>
+    </message>
+    <message>
+        <source>Number of gaps looked at, the shortest.</source>
+        <translation>Numero di varchi che si considerano, i più corti.</translation>
+    </message>
+    <message>
+        <source>Random places to compare each break with</source>
+        <translation>Luoghi a caso con cui confrontare ogni viale</translation>
+    </message>
+    <message>
+        <source>Number of random places at which each break and gap is tried as well, to compare with; 0 leaves them out.</source>
+        <translation>Numero di luoghi a caso in cui si provano anche ogni viale e ogni varco, per confronto; 0 li tralascia.</translation>
+    </message>
+    <message>
+        <source>Breaks with what each is worth, and gaps with what closing them saves</source>
+        <translation>Viali con quanto vale ciascuno, e varchi con quanto risparmia chiuderli</translation>
+    </message>
+    <message>
+        <source>What each break is worth</source>
+        <translation>Quanto vale ogni viale</translation>
+    </message>
+    <message>
+        <source>What closing each gap saves</source>
+        <translation>Quanto risparmia chiudere ogni varco</translation>
+    </message>
+    <message>
+        <source>What stands and what is missing, in words</source>
+        <translation>Che cosa c'è e che cosa manca, in parole</translation>
     </message>
     <message>
         <source>Evaluate</source>

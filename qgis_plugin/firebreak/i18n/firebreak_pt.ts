@@ -684,12 +684,28 @@
         <translation>Melhora os aceiros por procura local com incêndios simulados; demora mais.</translation>
     </message>
     <message>
+        <source>Fires that the plan is made for</source>
+        <translation>Incêndios para que o plano é feito</translation>
+    </message>
+    <message>
+        <source>What is to be small: the loss of the mean fire, or that of the worst tenth of the fires (CVaR).</source>
+        <translation>O que deve ser pequeno: a perda do incêndio médio, ou a da pior décima parte dos incêndios (CVaR).</translation>
+    </message>
+    <message>
+        <source>The mean fire</source>
+        <translation>O incêndio médio</translation>
+    </message>
+    <message>
+        <source>The worst tenth of the fires</source>
+        <translation>A pior décima parte dos incêndios</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Tratamentos (CSV, ou default)</translation>
     </message>
     <message>
-        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost [default: all segments alike, by "Share of the spread that a break lets through"].</source>
-        <translation>Tabela de tratamentos (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), ou default: cada troço recebe o que mais poupa pelo seu custo [senão, todos os troços iguais, segundo "Proporção da propagação que um aceiro deixa passar"].</translation>
+        <source>Table of treatments (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), or default: each segment gets the one that saves most for its cost, a budget in cost is what they cost, and fires burn with what they leave [default: all segments alike, by "Share of the spread that a break lets through"].</source>
+        <translation>Tabela de tratamentos (CSV: name, vegetation, residual, cost_ha, cost_per_degree, years, max_slope_deg), ou default: cada troço recebe o que mais poupa pelo seu custo, um orçamento em dinheiro é o que eles custam, e os incêndios ardem com o que deixam [senão, todos os troços iguais, segundo "Proporção da propagação que um aceiro deixa passar"].</translation>
     </message>
     <message>
         <source>as a word</source>
@@ -770,6 +786,14 @@
     <message>
         <source>So much a hectare</source>
         <translation>Tanto por hectare</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Vários valores em risco, p. ex. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Vários valores em risco, cada um como nome e ficheiro, seguido se preciso do seu campo, um peso (o que uma unidade conta na soma para que se planeia) e as=density; vários separam-se com ;, cada um é dado pelo nome.</translation>
     </message>
     <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
@@ -944,6 +968,10 @@
         <translation>Frequência de queima com os aceiros</translation>
     </message>
     <message>
+        <source>What the plan does for its goal and for all others</source>
+        <translation>O que o plano faz pelo seu objetivo e por todos os outros</translation>
+    </message>
+    <message>
         <source>Size of every fire without and with the breaks</source>
         <translation>Tamanho de cada incêndio sem e com os aceiros</translation>
     </message>
@@ -1064,6 +1092,22 @@
         <translation>como polígonos ou linhas</translation>
     </message>
     <message>
+        <source>What of the segments goes into a format with one layer</source>
+        <translation>O que dos troços vai para um formato de uma só camada</translation>
+    </message>
+    <message>
+        <source>Layer of the segments to write: middle lines or outlines [default: both in .gpkg, else the lines].</source>
+        <translation>Camada dos troços a escrever: linhas médias ou contornos [senão, ambas em .gpkg, noutros as linhas].</translation>
+    </message>
+    <message>
+        <source>Their middle lines</source>
+        <translation>As suas linhas médias</translation>
+    </message>
+    <message>
+        <source>Their outlines</source>
+        <translation>Os seus contornos</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Frequência de queima</translation>
     </message>
@@ -1154,6 +1198,58 @@
     <message>
         <source>Folder for arrival times, isochrones and more</source>
         <translation>Pasta para tempos de chegada, isócronas e mais</translation>
+    </message>
+    <message>
+        <source>Judge existing breaks</source>
+        <translation>Avaliar aceiros existentes</translation>
+    </message>
+    <message>
+        <source>Tell what each existing fire break is worth, and which gap between breaks matters most.</source>
+        <translation>Diz quanto vale cada aceiro existente e que falha entre aceiros mais importa.</translation>
+    </message>
+    <message>
+        <source>The same fires burn with all breaks, without each of them, and with each gap closed, so the differences are the work of that break alone. The same break at random places stands beside it. The network must hold the fuel that lies on the breaks.</source>
+        <translation>Os mesmos incêndios ardem com todos os aceiros, sem cada um deles e com cada falha fechada, pelo que as diferenças se devem só a esse aceiro. Ao lado está o mesmo aceiro em lugares ao acaso. A rede tem de conter o combustível que está sobre os aceiros.</translation>
+    </message>
+    <message>
+        <source>Longest gap that is looked at [m]</source>
+        <translation>Falha mais longa que se considera [m]</translation>
+    </message>
+    <message>
+        <source>Length of the longest gap that is looked at, in metres.</source>
+        <translation>Comprimento da falha mais longa que se considera, em metros.</translation>
+    </message>
+    <message>
+        <source>Most gaps that are looked at</source>
+        <translation>Número máximo de falhas que se consideram</translation>
+    </message>
+    <message>
+        <source>Number of gaps looked at, the shortest.</source>
+        <translation>Número de falhas que se consideram, as mais curtas.</translation>
+    </message>
+    <message>
+        <source>Random places to compare each break with</source>
+        <translation>Lugares ao acaso com que se compara cada aceiro</translation>
+    </message>
+    <message>
+        <source>Number of random places at which each break and gap is tried as well, to compare with; 0 leaves them out.</source>
+        <translation>Número de lugares ao acaso em que se experimentam também cada aceiro e cada falha, para comparar; 0 deixa-os de fora.</translation>
+    </message>
+    <message>
+        <source>Breaks with what each is worth, and gaps with what closing them saves</source>
+        <translation>Aceiros com o que vale cada um, e falhas com o que poupa fechá-las</translation>
+    </message>
+    <message>
+        <source>What each break is worth</source>
+        <translation>Quanto vale cada aceiro</translation>
+    </message>
+    <message>
+        <source>What closing each gap saves</source>
+        <translation>Quanto poupa fechar cada falha</translation>
+    </message>
+    <message>
+        <source>What stands and what is missing, in words</source>
+        <translation>O que está de pé e o que falta, em palavras</translation>
     </message>
     <message>
         <source>Evaluate</source>
