@@ -127,16 +127,16 @@ def test_burn(data, reference, tmp_path):
 
 
 def test_assess(reference, tmp_path):
-    """Each connected piece of the breaks is judged; a coarse gap and one place keep it short."""
-    few = ("--runs", QUICK["N_RUNS"], "--placements", 1, "--most-gaps", 2)
+    """Each connected piece of the breaks is judged; one gap and no other places keep it short."""
+    few = ("--runs", QUICK["N_RUNS"], "--placements", 0, "--most-gaps", 1)
     firebreak("assess", *few, "-o", tmp_path / "own", reference / "network.tif", reference / "breaks.tif")
     found = run(
         "assess",
         INPUT_NETWORK=str(reference / "network.tif"),
         INPUT_BREAKS=str(reference / "breaks.tif"),
         N_RUNS=QUICK["N_RUNS"],
-        PLACEMENTS=1,
-        MOST_GAPS=2,
+        PLACEMENTS=0,
+        MOST_GAPS=1,
         OUTPUT_ASSESSMENT=str(tmp_path / "a.gpkg"),
         OUTPUT_BREAK_WORTH=str(tmp_path / "b.csv"),
         OUTPUT_SUMMARY=str(tmp_path / "s.txt"),
