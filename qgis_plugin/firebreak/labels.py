@@ -168,7 +168,8 @@ HELP_OF_FORMS: Mapping[str, str] = {
     "legend": "What the vegetation codes mean: a built-in legend, or a CSV file of your own.",
     "density_legend": "What the density codes mean: a built-in legend, or a CSV file of your own.",
     "value_layers": "Several values at risk, each as a name and a file, with its field, a weight (what a unit counts "
-    "in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.",
+    "in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by "
+    "name.",
     "where": "Take only features that fit a condition, with the name of the layer before it, such as "
     "barriers=highway = 'primary'; several are separated by ;.",
     "neighbourhood": "Cells to which fire can spread from a cell.",
