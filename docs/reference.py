@@ -1,5 +1,8 @@
 """Write the reference from the code: commands, methods, legends, files, exit codes, the Python names.
 
+Commands and methods have anchors that stay: `commands.html#plan`, `commands.html#reproduce-landscape`,
+`methods.html#dissection`. The forms of QGIS and others link to them.
+
 Everything here comes from `firebreak describe`, `firebreak_gis.errors` and `firebreak_gis.__all__`; nothing of it is
 kept in the repository. `conf.py` calls it before every build.
 """
@@ -70,7 +73,8 @@ def _literal(text: str) -> str:
 def _commands(commands: Tree, words: str = "firebreak", level: int = 2) -> str:
     out = ["# Commands\n", "Made from `firebreak describe`.\n"] if level == 2 else []
     for name, command in commands.items():
-        out += [f"{'#' * level} {words} {name}\n", _literal(command["help"]) + "\n"]
+        out += [_anchor(f"{words} {name}".partition(" ")[2]), f"{'#' * level} {words} {name}\n"]
+        out += [_literal(command["help"]) + "\n", _in_python(name) if level == 2 else ""]
         rows = [
             [_name(p), _cell(p["type"]), _default(p), _cell(p.get("help", ""))] for p in command.get("parameters", [])
         ]
@@ -79,6 +83,16 @@ def _commands(commands: Tree, words: str = "firebreak", level: int = 2) -> str:
         if command.get("commands"):
             out.append(_commands(command["commands"], f"{words} {name}", level + 1))
     return "\n".join(out)
+
+
+def _anchor(words: str) -> str:
+    """Target of the heading below, such as `plan`; other text of the heading may change."""
+    return f"({words.replace(' ', '-').replace('_', '-')})=\n"
+
+
+def _in_python(command: str) -> str:
+    name = firebreak_gis.COMMANDS.get(command, command)
+    return "" if name is None else f"In Python: [`fb.{name}`](api.md#fb-{name.lower().replace('_', '-')}).\n"
 
 
 def _name(parameter: Tree) -> str:
@@ -103,7 +117,7 @@ def _methods(kinds: Tree) -> str:
     for kind, methods in kinds.items():
         out.append(f"## {kind.capitalize()}\n")
         for method in methods:
-            out += [f"### {method['name']}\n", _literal(method["text"]) + "\n"]
+            out += [_anchor(method["name"]), f"### {method['name']}\n", _literal(method["text"]) + "\n"]
             rows = [
                 [f"`{p['name']}`", _cell(p.get("default", "")), _cell(p.get("units", "")), _cell(p["text"])]
                 for p in method.get("parameters", [])
@@ -175,7 +189,11 @@ def _api() -> str:
         kind = "module" if inspect.ismodule(thing) else "class" if inspect.isclass(thing) else "function"
         kind = "exception" if inspect.isclass(thing) and issubclass(thing, BaseException) else kind
         members = "   :members:\n" if kind in ("class", "module") else ""
-        out += [f"## fb.{name}\n", f"```{{eval-rst}}\n.. auto{kind}:: {home}\n{members}```\n"]
+        out += [
+            _anchor(f"fb-{name.lower()}"),
+            f"## fb.{name}\n",
+            f"```{{eval-rst}}\n.. auto{kind}:: {home}\n{members}```\n",
+        ]
     return "\n".join(out)
 
 
