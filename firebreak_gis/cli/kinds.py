@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import click
+from click.shell_completion import CompletionItem
 
 from firebreak_gis import plugins
 from firebreak_gis.cli import parsing
@@ -54,6 +55,15 @@ class Kind(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
         if not isinstance(found, float):  # a number stands for itself
             note(ctx, param, value)
         return found
+
+    def shell_complete(self, _ctx: click.Context, _param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        """Words that the value may be, for the shell; the last of several, or the name of a file."""
+        if self.choices is None:
+            plain = self.name in ("number", "text", "crs")
+            return [] if plain else [CompletionItem(incomplete, type="file")]
+        before, comma, word = incomplete.rpartition(",") if self.name == "choices" else ("", "", incomplete)
+        found = [CompletionItem(f"{before}{comma}{one}") for one in self.choices() if one.startswith(word)]
+        return found or [CompletionItem(incomplete, type="file")] if "|" in self.name else found
 
 
 class Whole(click.types.IntParamType):

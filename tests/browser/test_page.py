@@ -105,7 +105,7 @@ def test_it_renders(page):
     assert len(images) == 3  # the ground and both sides
     assert all(page.execute_script("return arguments[0].naturalWidth", image) == 60 for image in images)
     paths = page.find_elements(By.CSS_SELECTOR, "path.leaflet-interactive")
-    assert len(paths) == len(page.find_elements(By.CSS_SELECTOR, "#segments tbody tr"))
+    assert len(paths) == len(page.find_elements(By.CSS_SELECTOR, "#segments tbody tr:not(.group)"))
     assert "Breaks are perfect." in page.find_element(By.CSS_SELECTOR, ".assumptions").text
 
 
@@ -156,6 +156,33 @@ def test_columns_sort(page):
         values = [float(c.get_attribute("data-key") or "nan") for c in cells]
         known = sign * np.array([v for v in values if v == v])
         assert (np.diff(known) >= 0).all()
+
+
+def test_segments_stand_in_groups_until_a_column_is_sorted(page):
+    """By stage, each with its sums; sorting takes all rows together, and the box brings the groups back."""
+    box = page.find_element(By.CSS_SELECTOR, "input.grouped")
+    if not box.is_selected():
+        box.click()
+
+    def lines():
+        rows = page.find_elements(By.CSS_SELECTOR, "#segments tbody tr")
+        return [row for row in rows if row.is_displayed()]
+
+    def stages():
+        return [
+            row.find_elements(By.TAG_NAME, "td")[1].text for row in lines() if "group" not in row.get_attribute("class")
+        ]
+
+    grouped = stages()
+    heads = [row.text for row in lines() if "group" in row.get_attribute("class")]
+    assert [head.split()[1] for head in heads] == list(dict.fromkeys(grouped))
+    assert grouped == sorted(grouped, key=int)
+    page.find_elements(By.CSS_SELECTOR, "#segments th[aria-sort] button")[2].send_keys(Keys.ENTER)
+    assert not box.is_selected()
+    assert len(lines()) == len(grouped)
+    box.click()
+    assert stages() == grouped
+    assert len(lines()) == len(grouped) + len(heads)
 
 
 def test_layers_switch(page):

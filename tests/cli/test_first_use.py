@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import click
 import pytest
@@ -52,3 +53,37 @@ def test_the_list_of_commands_cuts_no_sentence():
     assert "..." not in text.split("Commands:")[1]
     for name in firebreak.list_commands(None):
         assert f"  {name} " in text
+
+
+def completed(words):
+    """What bash would be told for the last of the words."""
+    told = {"COMP_WORDS": "firebreak " + words, "COMP_CWORD": str(len(words.split(" ")))}
+    outcome = CliRunner().invoke(
+        firebreak, [], prog_name="firebreak", env={"_FIREBREAK_COMPLETE": "bash_complete", **told}
+    )
+    assert outcome.exit_code == 0, outcome.output
+    return list(filter(None, outcome.output.splitlines()))
+
+
+@pytest.mark.parametrize("shell", ["zsh", "fish"])
+def test_scripts_for_shells(shell):
+    source = {"_FIREBREAK_COMPLETE": f"{shell}_source"}
+    outcome = CliRunner().invoke(firebreak, [], prog_name="firebreak", env=source)
+    assert outcome.exit_code == 0, outcome.output
+    assert f"_FIREBREAK_COMPLETE={shell}_complete" in outcome.output
+
+
+def test_the_page_on_commands_tells_of_the_scripts():
+    page = (Path(__file__).parents[2] / "docs/commands-and-files.md").read_text(encoding="utf-8")
+    for shell in ("bash", "zsh", "fish"):
+        assert f"_FIREBREAK_COMPLETE={shell}_source firebreak" in page
+
+
+def test_words_are_completed():
+    assert completed("pl") == ["plain,plan"]
+    assert "plain,--budget" in completed("plan --bud")
+    assert completed("plan --method diss") == ["plain,dissection"]
+    assert completed("compare --methods random,compart") == ["plain,random,compartments"]
+    assert completed("plan --legend cori") == ["plain,corine", "plain,corine_grid"]
+    assert completed("plan --budget 1") == []
+    assert completed("plan de") == ["file,de"]

@@ -187,3 +187,66 @@ def test_the_curve_fills_its_height(top, expected):
     page = Page(title="t", curve=Curve("c", "n", "x", [("a", [0.0, 0.5], [top, 0.0])]))
     ticks = [text for text in read(render(page)).texts if text.endswith(" %")][4]
     assert float(ticks.removesuffix(" %")) == pytest.approx(100 * expected)
+
+
+def _segments_frame(**more):
+    import geopandas as gpd
+    from shapely.geometry import box
+
+    table = {
+        "order": [1, 2, 3, 4],
+        "stage": [1, 2, 2, 3],
+        "length_m": [100.0, 200.0, 300.0, 400.0],
+        "area_ha": [1.0, 2.0, 3.0, 4.0],
+        "cost": [10.0, 20.0, 30.0, 40.0],
+        "gain_share": [0.4, 0.3, 0.2, 0.1],
+        **more,
+    }
+    shapes = [box(100 * k, 0, 100 * k + 50, 50) for k in range(4)]
+    return gpd.GeoDataFrame(table, geometry=shapes, crs="EPSG:32635")
+
+
+def _group_lines(html):
+    found = re.findall(r'<tr class="group"><th scope="rowgroup" colspan="(\d+)">([^<]*)</th>(.*?)</tr>', html)
+    return [(words, int(wide), re.findall(r"<td[^>]*>([^<]*)</td>", cells)) for wide, words, cells in found]
+
+
+def test_segments_are_grouped_by_stage_with_sums():
+    from firebreak_gis.report.page import _table
+    from firebreak_gis.report.page.plan import _segments
+
+    html = _table("segments", _segments(_segments_frame()))
+    lines = _group_lines(html)
+    assert [words for words, _, _ in lines] == ["Stage 1", "Stage 2", "Stage 3"]
+    assert lines[1][2] == ["500", "5.00", "50", "50.00"]  # length, area, cost, share of what is saved
+    assert "Group by stage " in html
+    assert html.count("<tbody>") == 3
+    foot = html.split("<tfoot>")[1]
+    assert re.findall(r"<td[^>]*>([^<]*)</td>", foot) == ["1,000", "10.00", "100", "100.00"]
+    columns = len(re.findall(r"<th scope=.col.", html))
+    assert all(wide + len(cells) == columns for _, wide, cells in lines)
+
+
+def test_years_come_before_stages():
+    """A stage that is built over two years stands in both; what no year is told for comes last."""
+    from firebreak_gis.report.page import _table
+    from firebreak_gis.report.page.plan import _segments
+
+    html = _table("segments", _segments(_segments_frame(year=[2.0, 1.0, 2.0, np.nan])))
+    assert [words for words, _, _ in _group_lines(html)] == [
+        "Year 1, Stage 2",
+        "Year 2, Stage 1",
+        "Year 2, Stage 2",
+        "Stage 3",
+    ]
+    assert "Group by year and stage " in html
+    assert re.findall(r'class="go" data-feature="(\d)"', html) == ["1", "0", "2", "3"]
+
+
+def test_comparisons_have_no_groups():
+    from firebreak_gis.report.page import _table
+    from firebreak_gis.report.page.content import Row
+
+    html = _table("comparison", [Row({"method": "a", "R": 0.1}), Row({"method": "b", "R": 0.2})])
+    assert "group" not in html
+    assert "<tfoot>" not in html

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import html
 import importlib.resources
+import itertools
 import json
 import math
 import re
@@ -196,31 +197,47 @@ def _table(kind: str, rows: Sequence[Row]) -> str:
         f'<button type="button" data-column="{k}">{_text(name)}</button></th>'
         for k, name in enumerate(columns)
     )
-    body = []
-    for row in rows:
-        cells = []
-        for name, value in row.cells.items():
-            key = "" if value is None else repr(value) if name in numeric else str(value)
-            shown = _text(row.shown(name))
-            if row.feature is not None and name == columns[0]:
-                shown = f'<button type="button" class="go" data-feature="{row.feature}">{shown}</button>'
-            cells.append(f'<td{_RIGHT if name in numeric else ""} data-key="{_text(key)}">{shown}</td>')
-        body.append(f"<tr>{''.join(cells)}</tr>")
-    foot = ""
-    totals = {name: sum(float(r.cells[name] or 0.0) for r in rows) for name in columns if name in rows[0].summed}
-    if totals:
-        foot = "".join(
-            f'<td class="number">{_text(rows[0].as_text(name, totals[name]))}</td>'
-            if name in totals
-            else ("<th scope='row'>Total</th>" if k == 0 else "<td></td>")
-            for k, name in enumerate(columns)
+    bodies = []
+    for group, members in itertools.groupby(rows, key=lambda row: row.group):
+        some = list(members)
+        line = _sums(group, some, columns, "group") if group else ""
+        bodies.append(f"<tbody>{line}{''.join(_row(row, columns[0], numeric) for row in some)}</tbody>")
+    foot = f"<tfoot>{_sums('Total', rows, columns)}</tfoot>" if rows[0].summed else ""
+    choice = ""
+    if rows[0].group:
+        words = " and ".join(dict.fromkeys(part.split(" ")[0].lower() for part in rows[0].group.split(", ")))
+        choice = (
+            f'<p><label><input type="checkbox" class="grouped" checked> Group by {_text(words)} '
+            "(a click on a column sorts all)</label></p>"
         )
-        foot = f"<tfoot><tr>{foot}</tr></tfoot>"
     return (
-        f'<section aria-labelledby="{kind}-title"><h2 id="{kind}-title">{titles[kind]}</h2>'
+        f'<section aria-labelledby="{kind}-title"><h2 id="{kind}-title">{titles[kind]}</h2>{choice}'
         f'<div class="scroll tall"><table class="sortable" id="{kind}"><thead><tr>{head}</tr></thead>'
-        f"<tbody>{''.join(body)}</tbody>{foot}</table></div></section>"
+        f"{''.join(bodies)}{foot}</table></div></section>"
     )
+
+
+def _row(row: Row, first: str, numeric: set[str]) -> str:
+    cells = []
+    for name, value in row.cells.items():
+        key = "" if value is None else repr(value) if name in numeric else str(value)
+        shown = _text(row.shown(name))
+        if row.feature is not None and name == first:
+            shown = f'<button type="button" class="go" data-feature="{row.feature}">{shown}</button>'
+        cells.append(f'<td{_RIGHT if name in numeric else ""} data-key="{_text(key)}">{shown}</td>')
+    return f"<tr>{''.join(cells)}</tr>"
+
+
+def _sums(words: str, rows: Sequence[Row], columns: Sequence[str], kind: str = "") -> str:
+    """A line with words under the first columns, and sums under those that have one."""
+    summed = rows[0].summed
+    wide = next((k for k, name in enumerate(columns) if k and name in summed), len(columns))
+    scope = "rowgroup" if kind else "row"
+    cells = [f'<th scope="{scope}" colspan="{wide}">{_text(words)}</th>']
+    for name in columns[wide:]:
+        total = sum(float(row.cells[name] or 0.0) for row in rows) if name in summed else None
+        cells.append("<td></td>" if total is None else f'<td class="number">{_text(rows[0].as_text(name, total))}</td>')
+    return f"<tr{f' class={chr(34)}{kind}{chr(34)}' if kind else ''}>{''.join(cells)}</tr>"
 
 
 def _files(files: Sequence[tuple[str, str]]) -> str:

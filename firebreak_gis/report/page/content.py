@@ -87,12 +87,15 @@ class Row:
         Columns that a total makes sense for.
     feature
         Number of the feature on the map that the row stands for.
+    group
+        Rows in a row with the same words here stand under a line with these words and their sums.
     """
 
     cells: Mapping[str, Any]
     decimals: Mapping[str, int] = field(default_factory=dict)
     summed: frozenset[str] = frozenset()
     feature: int | None = None
+    group: str = ""
 
     def shown(self, name: str) -> str:
         """Text of a cell; a dash for nothing."""

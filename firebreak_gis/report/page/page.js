@@ -154,26 +154,38 @@
   }
 
   function sortable(table) {
-    const body = table.tBodies[0];
+    const bodies = Array.from(table.tBodies);
+    const groups = bodies.map((body) => Array.from(body.rows));
+    const rows = groups.flat().filter((row) => !row.classList.contains("group"));
+    const box = table.closest("section").querySelector("input.grouped");
+    const heads = table.tHead.querySelectorAll("th");
+    const unsort = () => { for (const other of heads) other.setAttribute("aria-sort", "none"); };
+
+    function regroup(grouped) {
+      for (const row of table.querySelectorAll("tr.group")) row.hidden = !grouped;
+      bodies.forEach((body, k) => body.append(...groups[k]));
+    }
+    if (box) box.addEventListener("change", () => { unsort(); regroup(box.checked); });
+
     table.tHead.addEventListener("click", (event) => {
       const button = event.target.closest("button[data-column]");
       if (!button) return;
       const head = button.closest("th"), column = Number(button.dataset.column);
       const rising = head.getAttribute("aria-sort") !== "ascending";
-      for (const other of table.tHead.querySelectorAll("th")) other.setAttribute("aria-sort", "none");
+      unsort();
       head.setAttribute("aria-sort", rising ? "ascending" : "descending");
+      if (box) { box.checked = false; regroup(false); }
       const key = (row) => row.cells[column].dataset.key;
-      const rows = Array.from(body.rows);
       const numeric = rows.every((row) => key(row) === "" || !Number.isNaN(Number(key(row))));
-      rows.sort((a, b) => {
+      const sorted = Array.from(rows).sort((a, b) => {
         const x = key(a), y = key(b);
         if (x === "" || y === "") return (x === "") - (y === "");
         const order = numeric ? Number(x) - Number(y) : x.localeCompare(y);
         return rising ? order : -order;
       });
-      body.append(...rows);
+      bodies[0].append(...sorted);
     });
-    body.addEventListener("click", (event) => {
+    table.addEventListener("click", (event) => {
       const button = event.target.closest("button.go");
       if (button && map) choose(Number(button.dataset.feature), true);
     });

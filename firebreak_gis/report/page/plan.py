@@ -242,6 +242,10 @@ _COMPARTMENT = (
 )
 
 
+#: When a segment is built: what the table is grouped by.
+_WHEN = (("year", "Year"), ("stage", "Stage"))
+
+
 def _card(row: Mapping[Any, Any], columns: tuple[tuple[str, str, int, str], ...]) -> dict[str, str]:
     card = {}
     for name, text, digits, unit in columns:
@@ -271,7 +275,10 @@ def _segments(frame: gpd.GeoDataFrame | None) -> tuple[Row, ...]:
         for name, text, digits, factor in known:
             value = _plain(row[name])
             cells[text] = None if value is None else round(factor * float(value), digits + 2)
-        rows.append((row["order"], Row(cells, decimals, summed, number)))
+        when = {text: _plain(row[name]) for name, text in _WHEN if name in row}
+        group = ", ".join(f"{text} {value:.0f}" for text, value in when.items() if value is not None)
+        place = tuple(math.inf if value is None else value for value in when.values())
+        rows.append(((*place, row["order"]), Row(cells, decimals, summed, number, group)))
     return tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
 
 
