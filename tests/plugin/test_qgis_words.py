@@ -164,7 +164,7 @@ def test_messages_are_told_in_the_words_of_the_form(said, told):
 
 
 def test_messages_name_the_labels_of_the_language(monkeypatch):
-    monkeypatch.setitem(translation._texts, "Budget (by default a share of the fuel)", "Umfang (Anteil)")
+    monkeypatch.setitem(translation._texts, words.label_of("budget"), "Umfang, z. B. 10%")
     assert words.in_form_words("--budget is 2") == '"Umfang" is 2'
 
 

@@ -520,12 +520,12 @@
         <translation>Wie lange Feuer brennen: 8h, eine Liste, die die Läufe der Reihe nach nehmen (4h,8h), lognormal:8h,0.7 (Median und Sigma), uniform:2h,12h, oder weather [sonst lognormal:8h,0.7, eine Annahme].</translation>
     </message>
     <message>
-        <source>Budget (by default a share of the fuel)</source>
-        <translation>Budget (sonst ein Anteil des Brennstoffs)</translation>
+        <source>Budget, such as 10%, 5ha or 20000eur</source>
+        <translation>Budget, z. B. 10%, 5ha oder 20000eur</translation>
     </message>
     <message>
-        <source>How much to cut; by default a share of the cells that hold fuel, 0 to 1 (14 % is 0.14).</source>
-        <translation>Wie viel geschnitten wird; sonst ein Anteil der Zellen mit Brennstoff, 0 bis 1 (14 % sind 0.14).</translation>
+        <source>How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or money such as 20000eur, in the currency of the costs.</source>
+        <translation>Wie viel geschnitten wird: ein Anteil der Zellen mit Brennstoff wie 10% oder 0.1, eine Fläche wie 5ha, oder Geld wie 20000eur, in der Währung der Kosten.</translation>
     </message>
     <message>
         <source>Ranking</source>
@@ -632,12 +632,12 @@
         <translation>Simulierte Feuer.</translation>
     </message>
     <message>
-        <source>Unit of the budget</source>
-        <translation>Einheit des Budgets</translation>
+        <source>Unit of a budget that is a plain number</source>
+        <translation>Einheit eines Budgets, das eine bloße Zahl ist</translation>
     </message>
     <message>
-        <source>What "Budget" counts: a share of the fuel, hectares, or money (with "Cost of cutting per hectare").</source>
-        <translation>Was "Budget" zählt: einen Anteil des Brennstoffs, Hektar, oder Geld (mit "Schnittkosten je Hektar").</translation>
+        <source>What a plain number for "Budget" counts: a share of the fuel, hectares, or money [default: share].</source>
+        <translation>Was eine bloße Zahl für "Budget" zählt: einen Anteil des Brennstoffs, Hektar, oder Geld [sonst Anteil].</translation>
     </message>
     <message>
         <source>Share of the fuel (0 to 1)</source>
@@ -1036,8 +1036,8 @@
         <translation>Zahl, nach der Zellen geschnitten werden, höher ist früher.</translation>
     </message>
     <message>
-        <source>Cost per hectare, for "Unit of the budget" cost: a raster, or polygons with "Field with the cost".</source>
-        <translation>Kosten je Hektar, wenn "Einheit des Budgets" Geld ist: ein Raster, oder Polygone mit "Feld mit den Kosten".</translation>
+        <source>Cost per hectare, for budgets of money: a raster, or polygons with "Field with the cost".</source>
+        <translation>Kosten je Hektar, für Budgets in Geld: ein Raster, oder Polygone mit "Feld mit den Kosten".</translation>
     </message>
     <message>
         <source>Take a raster that was not written as a priority</source>
@@ -1280,12 +1280,12 @@
         <translation>Rangfolge, gegen die die anderen getestet werden.</translation>
     </message>
     <message>
-        <source>Budgets, separated by commas</source>
-        <translation>Budgets, durch Kommas getrennt</translation>
+        <source>Budgets, such as 5%, 10%</source>
+        <translation>Budgets, z. B. 5%, 10%</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
-        <translation>Zu schneidende Anteile, durch Kommas getrennt [sonst 0 bis 0.4 in Schritten von 0.01; wo jedes Budget neu gebrannt wird, mit Zeit oder Schneisen, die versagen, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
+        <translation>Wie viel geschnitten wird, durch Kommas getrennt: Anteile des Brennstoffs wie 5% oder 0.05, oder Flächen wie 20ha [sonst 0 bis 0.4 in Schritten von 0.01; wo jedes Budget neu gebrannt wird, mit Zeit oder Schneisen, die versagen, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
     </message>
     <message>
         <source>Test</source>
@@ -1344,8 +1344,8 @@
         <translation>Die Feuer sind frisch: kein Plan wurde mit ihnen entworfen, und alle brennen in denselben.</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas.</source>
-        <translation>Zu schneidende Anteile, durch Kommas getrennt.</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
+        <translation>Wie viel geschnitten wird, durch Kommas getrennt: Anteile des Brennstoffs wie 5% oder 0.05, oder Flächen wie 20ha.</translation>
     </message>
     <message>
         <source>Shares that breaks let through, separated by commas</source>

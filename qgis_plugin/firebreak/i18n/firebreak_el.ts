@@ -520,12 +520,12 @@
         <translation>Πόσο διαρκούν οι πυρκαγιές: 8h, λίστα που παίρνουν με τη σειρά οι εκτελέσεις (4h,8h), lognormal:8h,0.7 (διάμεσος και σίγμα), uniform:2h,12h, ή weather [αλλιώς lognormal:8h,0.7, μια παραδοχή].</translation>
     </message>
     <message>
-        <source>Budget (by default a share of the fuel)</source>
-        <translation>Προϋπολογισμός (αν δεν οριστεί άλλο, ποσοστό της καύσιμης ύλης)</translation>
+        <source>Budget, such as 10%, 5ha or 20000eur</source>
+        <translation>Προϋπολογισμός, π.χ. 10%, 5ha ή 20000eur</translation>
     </message>
     <message>
-        <source>How much to cut; by default a share of the cells that hold fuel, 0 to 1 (14 % is 0.14).</source>
-        <translation>Πόσο θα κοπεί· αν δεν οριστεί άλλο, ποσοστό των κελιών με καύσιμη ύλη, 0 έως 1 (14 % είναι 0.14).</translation>
+        <source>How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or money such as 20000eur, in the currency of the costs.</source>
+        <translation>Πόσο θα κοπεί: ποσοστό των κελιών με καύσιμη ύλη όπως 10% ή 0.1, έκταση όπως 5ha, ή χρήματα όπως 20000eur, στο νόμισμα του κόστους.</translation>
     </message>
     <message>
         <source>Ranking</source>
@@ -632,12 +632,12 @@
         <translation>Προσομοιωμένες πυρκαγιές.</translation>
     </message>
     <message>
-        <source>Unit of the budget</source>
-        <translation>Μονάδα του προϋπολογισμού</translation>
+        <source>Unit of a budget that is a plain number</source>
+        <translation>Μονάδα ενός προϋπολογισμού που είναι απλός αριθμός</translation>
     </message>
     <message>
-        <source>What "Budget" counts: a share of the fuel, hectares, or money (with "Cost of cutting per hectare").</source>
-        <translation>Τι μετρά ο "Προϋπολογισμός": ποσοστό της καύσιμης ύλης, εκτάρια, ή χρήματα (με "Κόστος κοπής ανά εκτάριο").</translation>
+        <source>What a plain number for "Budget" counts: a share of the fuel, hectares, or money [default: share].</source>
+        <translation>Τι μετρά ένας απλός αριθμός στο "Προϋπολογισμός": ποσοστό της καύσιμης ύλης, εκτάρια, ή χρήματα [αλλιώς ποσοστό].</translation>
     </message>
     <message>
         <source>Share of the fuel (0 to 1)</source>
@@ -1036,8 +1036,8 @@
         <translation>Βαθμός με τον οποίο κόβονται τα κελιά, ψηλότερα σημαίνει νωρίτερα.</translation>
     </message>
     <message>
-        <source>Cost per hectare, for "Unit of the budget" cost: a raster, or polygons with "Field with the cost".</source>
-        <translation>Κόστος ανά εκτάριο, όταν η "Μονάδα του προϋπολογισμού" είναι χρήματα: ψηφιδωτό, ή πολύγωνα με "Πεδίο με το κόστος".</translation>
+        <source>Cost per hectare, for budgets of money: a raster, or polygons with "Field with the cost".</source>
+        <translation>Κόστος ανά εκτάριο, για προϋπολογισμούς σε χρήματα: ψηφιδωτό, ή πολύγωνα με "Πεδίο με το κόστος".</translation>
     </message>
     <message>
         <source>Take a raster that was not written as a priority</source>
@@ -1280,12 +1280,12 @@
         <translation>Μέθοδος με την οποία ελέγχονται οι άλλες.</translation>
     </message>
     <message>
-        <source>Budgets, separated by commas</source>
-        <translation>Προϋπολογισμοί, χωρισμένοι με κόμματα</translation>
+        <source>Budgets, such as 5%, 10%</source>
+        <translation>Προϋπολογισμοί, π.χ. 5%, 10%</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
-        <translation>Ποσοστά που κόβονται, χωρισμένα με κόμματα [αλλιώς 0 έως 0.4 σε βήματα των 0.01· όπου κάθε προϋπολογισμός καίγεται εκ νέου, με χρόνο ή με ζώνες που αστοχούν, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
+        <translation>Πόσο θα κοπεί, χωρισμένο με κόμματα: ποσοστά της καύσιμης ύλης όπως 5% ή 0.05, ή εκτάσεις όπως 20ha [αλλιώς 0 έως 0.4 σε βήματα των 0.01· όπου κάθε προϋπολογισμός καίγεται εκ νέου, με χρόνο ή με ζώνες που αστοχούν, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
     </message>
     <message>
         <source>Test</source>
@@ -1344,8 +1344,8 @@
         <translation>Οι πυρκαγιές είναι νέες: κανένα σχέδιο δεν έγινε με αυτές, και όλα καίγονται στις ίδιες.</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas.</source>
-        <translation>Ποσοστά που κόβονται, χωρισμένα με κόμματα.</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
+        <translation>Πόσο θα κοπεί, χωρισμένο με κόμματα: ποσοστά της καύσιμης ύλης όπως 5% ή 0.05, ή εκτάσεις όπως 20ha.</translation>
     </message>
     <message>
         <source>Shares that breaks let through, separated by commas</source>

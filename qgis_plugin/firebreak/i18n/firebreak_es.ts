@@ -520,12 +520,12 @@
         <translation>Cuánto duran los incendios: 8h, una lista que las ejecuciones toman por turno (4h,8h), lognormal:8h,0.7 (mediana y sigma), uniform:2h,12h, o weather [si no, lognormal:8h,0.7, un supuesto].</translation>
     </message>
     <message>
-        <source>Budget (by default a share of the fuel)</source>
-        <translation>Presupuesto (si no se dice otra cosa, una proporción del combustible)</translation>
+        <source>Budget, such as 10%, 5ha or 20000eur</source>
+        <translation>Presupuesto, p. ej. 10%, 5ha o 20000eur</translation>
     </message>
     <message>
-        <source>How much to cut; by default a share of the cells that hold fuel, 0 to 1 (14 % is 0.14).</source>
-        <translation>Cuánto cortar; si no se dice otra cosa, una proporción de las celdas con combustible, de 0 a 1 (14 % es 0.14).</translation>
+        <source>How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or money such as 20000eur, in the currency of the costs.</source>
+        <translation>Cuánto cortar: una proporción de las celdas con combustible como 10% o 0.1, una superficie como 5ha, o dinero como 20000eur, en la moneda de los costes.</translation>
     </message>
     <message>
         <source>Ranking</source>
@@ -632,12 +632,12 @@
         <translation>Incendios simulados.</translation>
     </message>
     <message>
-        <source>Unit of the budget</source>
-        <translation>Unidad del presupuesto</translation>
+        <source>Unit of a budget that is a plain number</source>
+        <translation>Unidad de un presupuesto que es un número solo</translation>
     </message>
     <message>
-        <source>What "Budget" counts: a share of the fuel, hectares, or money (with "Cost of cutting per hectare").</source>
-        <translation>Qué cuenta "Presupuesto": una proporción del combustible, hectáreas, o dinero (con "Coste de corta por hectárea").</translation>
+        <source>What a plain number for "Budget" counts: a share of the fuel, hectares, or money [default: share].</source>
+        <translation>Qué cuenta un número solo en "Presupuesto": una proporción del combustible, hectáreas, o dinero [si no, proporción].</translation>
     </message>
     <message>
         <source>Share of the fuel (0 to 1)</source>
@@ -1036,8 +1036,8 @@
         <translation>Puntuación según la cual se cortan las celdas, más alto es antes.</translation>
     </message>
     <message>
-        <source>Cost per hectare, for "Unit of the budget" cost: a raster, or polygons with "Field with the cost".</source>
-        <translation>Coste por hectárea, si "Unidad del presupuesto" es dinero: un ráster, o polígonos con "Campo con el coste".</translation>
+        <source>Cost per hectare, for budgets of money: a raster, or polygons with "Field with the cost".</source>
+        <translation>Coste por hectárea, para presupuestos en dinero: un ráster, o polígonos con "Campo con el coste".</translation>
     </message>
     <message>
         <source>Take a raster that was not written as a priority</source>
@@ -1280,12 +1280,12 @@
         <translation>Método con el que se contrastan los demás.</translation>
     </message>
     <message>
-        <source>Budgets, separated by commas</source>
-        <translation>Presupuestos, separados por comas</translation>
+        <source>Budgets, such as 5%, 10%</source>
+        <translation>Presupuestos, p. ej. 5%, 10%</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
-        <translation>Proporciones que cortar, separadas por comas [si no, de 0 a 0.4 en pasos de 0.01; donde cada presupuesto se quema de nuevo, con reloj o cortafuegos que fallan, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
+        <translation>Cuánto cortar, separado por comas: proporciones del combustible como 5% o 0.05, o superficies como 20ha [si no, de 0 a 0.4 en pasos de 0.01; donde cada presupuesto se quema de nuevo, con reloj o cortafuegos que fallan, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
     </message>
     <message>
         <source>Test</source>
@@ -1344,8 +1344,8 @@
         <translation>Los incendios son nuevos: ningún plan se diseñó con ellos, y todos se prueban con los mismos.</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas.</source>
-        <translation>Proporciones que cortar, separadas por comas.</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
+        <translation>Cuánto cortar, separado por comas: proporciones del combustible como 5% o 0.05, o superficies como 20ha.</translation>
     </message>
     <message>
         <source>Shares that breaks let through, separated by commas</source>

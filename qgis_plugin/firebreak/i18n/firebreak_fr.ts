@@ -520,12 +520,12 @@
         <translation>Combien de temps les feux brûlent : 8h, une liste que les passages prennent tour à tour (4h,8h), lognormal:8h,0.7 (médiane et sigma), uniform:2h,12h, ou weather [sinon lognormal:8h,0.7, une hypothèse].</translation>
     </message>
     <message>
-        <source>Budget (by default a share of the fuel)</source>
-        <translation>Budget (par défaut une part du combustible)</translation>
+        <source>Budget, such as 10%, 5ha or 20000eur</source>
+        <translation>Budget, p. ex. 10%, 5ha ou 20000eur</translation>
     </message>
     <message>
-        <source>How much to cut; by default a share of the cells that hold fuel, 0 to 1 (14 % is 0.14).</source>
-        <translation>Combien couper ; par défaut une part des cellules avec combustible, de 0 à 1 (14 % s'écrit 0.14).</translation>
+        <source>How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or money such as 20000eur, in the currency of the costs.</source>
+        <translation>Combien couper : une part des cellules avec combustible comme 10% ou 0.1, une surface comme 5ha, ou de l'argent comme 20000eur, dans la monnaie des coûts.</translation>
     </message>
     <message>
         <source>Ranking</source>
@@ -632,12 +632,12 @@
         <translation>Feux simulés.</translation>
     </message>
     <message>
-        <source>Unit of the budget</source>
-        <translation>Unité du budget</translation>
+        <source>Unit of a budget that is a plain number</source>
+        <translation>Unité d'un budget qui est un simple nombre</translation>
     </message>
     <message>
-        <source>What "Budget" counts: a share of the fuel, hectares, or money (with "Cost of cutting per hectare").</source>
-        <translation>Ce que compte "Budget" : une part du combustible, des hectares, ou de l'argent (avec "Coût de coupe par hectare").</translation>
+        <source>What a plain number for "Budget" counts: a share of the fuel, hectares, or money [default: share].</source>
+        <translation>Ce que compte un simple nombre dans "Budget" : une part du combustible, des hectares, ou de l'argent [sinon une part].</translation>
     </message>
     <message>
         <source>Share of the fuel (0 to 1)</source>
@@ -1036,8 +1036,8 @@
         <translation>Score d'après lequel les cellules sont coupées, plus haut est plus tôt.</translation>
     </message>
     <message>
-        <source>Cost per hectare, for "Unit of the budget" cost: a raster, or polygons with "Field with the cost".</source>
-        <translation>Coût par hectare, si "Unité du budget" est l'argent : un raster, ou des polygones avec "Champ avec le coût".</translation>
+        <source>Cost per hectare, for budgets of money: a raster, or polygons with "Field with the cost".</source>
+        <translation>Coût par hectare, pour des budgets en argent : un raster, ou des polygones avec "Champ avec le coût".</translation>
     </message>
     <message>
         <source>Take a raster that was not written as a priority</source>
@@ -1280,12 +1280,12 @@
         <translation>Méthode contre laquelle les autres sont testées.</translation>
     </message>
     <message>
-        <source>Budgets, separated by commas</source>
-        <translation>Budgets, séparés par des virgules</translation>
+        <source>Budgets, such as 5%, 10%</source>
+        <translation>Budgets, p. ex. 5%, 10%</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
-        <translation>Parts à couper, séparées par des virgules [sinon de 0 à 0.4 par pas de 0.01 ; où chaque budget est brûlé à nouveau, avec une horloge ou des pare-feu qui cèdent, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
+        <translation>Combien couper, séparé par des virgules : parts du combustible comme 5% ou 0.05, ou surfaces comme 20ha [sinon de 0 à 0.4 par pas de 0.01 ; où chaque budget est brûlé à nouveau, avec une horloge ou des pare-feu qui cèdent, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
     </message>
     <message>
         <source>Test</source>
@@ -1344,8 +1344,8 @@
         <translation>Les feux sont neufs : aucun plan n'a été conçu avec eux, et tous brûlent dans les mêmes.</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas.</source>
-        <translation>Parts à couper, séparées par des virgules.</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
+        <translation>Combien couper, séparé par des virgules : parts du combustible comme 5% ou 0.05, ou surfaces comme 20ha.</translation>
     </message>
     <message>
         <source>Shares that breaks let through, separated by commas</source>

@@ -520,12 +520,12 @@
         <translation>Quanto durano gli incendi: 8h, un elenco che le esecuzioni prendono a turno (4h,8h), lognormal:8h,0.7 (mediana e sigma), uniform:2h,12h, o weather [altrimenti lognormal:8h,0.7, un'ipotesi].</translation>
     </message>
     <message>
-        <source>Budget (by default a share of the fuel)</source>
-        <translation>Budget (di norma una quota del combustibile)</translation>
+        <source>Budget, such as 10%, 5ha or 20000eur</source>
+        <translation>Budget, ad es. 10%, 5ha o 20000eur</translation>
     </message>
     <message>
-        <source>How much to cut; by default a share of the cells that hold fuel, 0 to 1 (14 % is 0.14).</source>
-        <translation>Quanto tagliare; di norma una quota delle celle con combustibile, da 0 a 1 (14 % è 0.14).</translation>
+        <source>How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or money such as 20000eur, in the currency of the costs.</source>
+        <translation>Quanto tagliare: una quota delle celle con combustibile come 10% o 0.1, una superficie come 5ha, o denaro come 20000eur, nella valuta dei costi.</translation>
     </message>
     <message>
         <source>Ranking</source>
@@ -632,12 +632,12 @@
         <translation>Incendi simulati.</translation>
     </message>
     <message>
-        <source>Unit of the budget</source>
-        <translation>Unità del budget</translation>
+        <source>Unit of a budget that is a plain number</source>
+        <translation>Unità di un budget che è un numero semplice</translation>
     </message>
     <message>
-        <source>What "Budget" counts: a share of the fuel, hectares, or money (with "Cost of cutting per hectare").</source>
-        <translation>Che cosa conta "Budget": una quota del combustibile, ettari, o denaro (con "Costo del taglio per ettaro").</translation>
+        <source>What a plain number for "Budget" counts: a share of the fuel, hectares, or money [default: share].</source>
+        <translation>Che cosa conta un numero semplice in "Budget": una quota del combustibile, ettari, o denaro [altrimenti quota].</translation>
     </message>
     <message>
         <source>Share of the fuel (0 to 1)</source>
@@ -1036,8 +1036,8 @@
         <translation>Punteggio secondo cui le celle si tagliano, più alto è prima.</translation>
     </message>
     <message>
-        <source>Cost per hectare, for "Unit of the budget" cost: a raster, or polygons with "Field with the cost".</source>
-        <translation>Costo per ettaro, se "Unità del budget" è denaro: un raster, o poligoni con "Campo con il costo".</translation>
+        <source>Cost per hectare, for budgets of money: a raster, or polygons with "Field with the cost".</source>
+        <translation>Costo per ettaro, per budget in denaro: un raster, o poligoni con "Campo con il costo".</translation>
     </message>
     <message>
         <source>Take a raster that was not written as a priority</source>
@@ -1280,12 +1280,12 @@
         <translation>Metodo contro cui si provano gli altri.</translation>
     </message>
     <message>
-        <source>Budgets, separated by commas</source>
-        <translation>Budget, separati da virgole</translation>
+        <source>Budgets, such as 5%, 10%</source>
+        <translation>Più budget, ad es. 5%, 10%</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
-        <translation>Quote da tagliare, separate da virgole [altrimenti da 0 a 0.4 in passi di 0.01; dove ogni budget è bruciato di nuovo, con orologio o viali che cedono, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
+        <translation>Quanto tagliare, separato da virgole: quote del combustibile come 5% o 0.05, o superfici come 20ha [altrimenti da 0 a 0.4 in passi di 0.01; dove ogni budget è bruciato di nuovo, con orologio o viali che cedono, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
     </message>
     <message>
         <source>Test</source>
@@ -1344,8 +1344,8 @@
         <translation>Gli incendi sono nuovi: nessun piano è stato progettato con essi, e tutti bruciano negli stessi.</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas.</source>
-        <translation>Quote da tagliare, separate da virgole.</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
+        <translation>Quanto tagliare, separato da virgole: quote del combustibile come 5% o 0.05, o superfici come 20ha.</translation>
     </message>
     <message>
         <source>Shares that breaks let through, separated by commas</source>

@@ -520,12 +520,12 @@
         <translation>Quanto tempo ardem os incêndios: 8h, uma lista que as execuções tomam à vez (4h,8h), lognormal:8h,0.7 (mediana e sigma), uniform:2h,12h, ou weather [senão, lognormal:8h,0.7, um pressuposto].</translation>
     </message>
     <message>
-        <source>Budget (by default a share of the fuel)</source>
-        <translation>Orçamento (por omissão uma proporção do combustível)</translation>
+        <source>Budget, such as 10%, 5ha or 20000eur</source>
+        <translation>Orçamento, p. ex. 10%, 5ha ou 20000eur</translation>
     </message>
     <message>
-        <source>How much to cut; by default a share of the cells that hold fuel, 0 to 1 (14 % is 0.14).</source>
-        <translation>Quanto cortar; por omissão uma proporção das células com combustível, de 0 a 1 (14 % é 0.14).</translation>
+        <source>How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or money such as 20000eur, in the currency of the costs.</source>
+        <translation>Quanto cortar: uma proporção das células com combustível como 10% ou 0.1, uma área como 5ha, ou dinheiro como 20000eur, na moeda dos custos.</translation>
     </message>
     <message>
         <source>Ranking</source>
@@ -632,12 +632,12 @@
         <translation>Incêndios simulados.</translation>
     </message>
     <message>
-        <source>Unit of the budget</source>
-        <translation>Unidade do orçamento</translation>
+        <source>Unit of a budget that is a plain number</source>
+        <translation>Unidade de um orçamento que é um número simples</translation>
     </message>
     <message>
-        <source>What "Budget" counts: a share of the fuel, hectares, or money (with "Cost of cutting per hectare").</source>
-        <translation>O que "Orçamento" conta: uma proporção do combustível, hectares, ou dinheiro (com "Custo de corte por hectare").</translation>
+        <source>What a plain number for "Budget" counts: a share of the fuel, hectares, or money [default: share].</source>
+        <translation>O que conta um número simples em "Orçamento": uma proporção do combustível, hectares, ou dinheiro [senão, proporção].</translation>
     </message>
     <message>
         <source>Share of the fuel (0 to 1)</source>
@@ -1036,8 +1036,8 @@
         <translation>Pontuação segundo a qual as células são cortadas, mais alto é mais cedo.</translation>
     </message>
     <message>
-        <source>Cost per hectare, for "Unit of the budget" cost: a raster, or polygons with "Field with the cost".</source>
-        <translation>Custo por hectare, se "Unidade do orçamento" for dinheiro: um raster, ou polígonos com "Campo com o custo".</translation>
+        <source>Cost per hectare, for budgets of money: a raster, or polygons with "Field with the cost".</source>
+        <translation>Custo por hectare, para orçamentos em dinheiro: um raster, ou polígonos com "Campo com o custo".</translation>
     </message>
     <message>
         <source>Take a raster that was not written as a priority</source>
@@ -1280,12 +1280,12 @@
         <translation>Método com que os outros são testados.</translation>
     </message>
     <message>
-        <source>Budgets, separated by commas</source>
-        <translation>Orçamentos, separados por vírgulas</translation>
+        <source>Budgets, such as 5%, 10%</source>
+        <translation>Orçamentos, p. ex. 5%, 10%</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
-        <translation>Proporções a cortar, separadas por vírgulas [senão, de 0 a 0.4 em passos de 0.01; onde cada orçamento é queimado de novo, com relógio ou aceiros que falham, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha [default: 0 to 0.4 in steps of 0.01; where each budget is burnt anew, with a clock or breaks that fail, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</source>
+        <translation>Quanto cortar, separado por vírgulas: proporções do combustível como 5% ou 0.05, ou áreas como 20ha [senão, de 0 a 0.4 em passos de 0.01; onde cada orçamento é queimado de novo, com relógio ou aceiros que falham, 0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2].</translation>
     </message>
     <message>
         <source>Test</source>
@@ -1344,8 +1344,8 @@
         <translation>Os incêndios são novos: nenhum plano foi desenhado com eles, e todos ardem nos mesmos.</translation>
     </message>
     <message>
-        <source>Shares to cut, separated by commas.</source>
-        <translation>Proporções a cortar, separadas por vírgulas.</translation>
+        <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
+        <translation>Quanto cortar, separado por vírgulas: proporções do combustível como 5% ou 0.05, ou áreas como 20ha.</translation>
     </message>
     <message>
         <source>Shares that breaks let through, separated by commas</source>
