@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import sqlite3
 import time
 import zipfile
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import ezdxf
@@ -19,12 +21,8 @@ import shapely
 from click.testing import CliRunner
 from pyproj import CRS, Transformer
 
-from firebreak_gis import rank, select_breaks, spread_network
-from firebreak_gis.breaks import break_polygons
+from firebreak_gis import plan
 from firebreak_gis.cli import firebreak
-from firebreak_gis.construction.compartments import compartments_of
-from firebreak_gis.construction.segments import segments_of
-from firebreak_gis.construction.treatments import read_treatments, with_treatments
 from firebreak_gis.construction.writing import (
     KINDS,
     LABELS,
@@ -49,20 +47,15 @@ TO_METRES = Transformer.from_crs("EPSG:4326", "EPSG:32635", always_xy=True)
 @pytest.fixture(scope="module")
 def made(make_landscape):
     """Layers by name: a text with all that XML minds, and columns that are nothing somewhere."""
-    landscape = make_landscape((22, 31), seed=4, relief=4.0)
-    network = spread_network(landscape)
-    priority = rank(network, "dissection")
-    breaks = select_breaks(priority, budget=0.2, burnable=network.burnable)
-    segments = with_treatments(
-        segments_of(network, breaks, priority=priority, elevation=landscape["elevation"]), landscape, read_treatments()
-    )
-    frames = {name: frame.copy() for name, frame in zip(("lines", "polygons"), segments, strict=True)}
+    found = plan(make_landscape((22, 31), seed=4, relief=4.0), budget=0.2, treatments="default", n_runs=4)
+    frames = {name: frame.copy() for name, frame in zip(("lines", "polygons"), found.segments, strict=True)}
+    assert "treatment_yearly" in frames["lines"]
     for frame in frames.values():
         frame["treatment"] = [WORDS, None, *frame["treatment"][2:]]
         frame["mean_slope_deg"] = [np.nan, *frame["mean_slope_deg"][1:]]
         frame["remarks_of_the_north"] = frame["remarks_of_the_south"] = np.arange(len(frame)) / 7
-    frames["compartments"] = compartments_of(network, breaks)[1]
-    frames["breaks"] = break_polygons(breaks, priority)
+    frames["compartments"] = found.compartments
+    frames["breaks"] = found.polygons
     assert len(frames["lines"]) > 10
     return frames
 
@@ -330,6 +323,12 @@ def test_every_column_that_is_written_has_a_text_a_unit_and_a_short_name(made):
         else:
             assert column.unit == "", name
     assert field_names(made["lines"].columns[-3:]) != {}
+
+
+def test_the_page_for_crews_lists_the_columns():
+    page = (Path(__file__).parents[2] / "docs/howto/crews.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^\| `(\w+)` \| `(\w+)` \| (.*) \|$", page, re.MULTILINE)
+    assert listed == [(name, column.short, column.alias) for name, column in COLUMNS.items()]
 
 
 def test_short_names_are_unique_whatever_the_columns_are():

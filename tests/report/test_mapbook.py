@@ -15,7 +15,6 @@ from pyproj import Transformer
 
 from firebreak_gis import plan, write_raster
 from firebreak_gis.cli import firebreak
-from firebreak_gis.construction.treatments import read_treatments, with_treatments
 from firebreak_gis.construction.writing import write_segments
 from firebreak_gis.errors import Cancelled, InputError
 from firebreak_gis.planning.outputs import write_plan
@@ -83,9 +82,10 @@ def test_a_page_for_each_of_the_first_segments_says_what_the_plan_knows(made, at
                 assert f"compartment {side} ({areas[side]:,.1f} ha)" in text
         else:
             assert "Separates nothing" in text
-        assert percent(row.gain_share) in text
-        members = (lines.stage == row.stage).sum()
-        assert (f"all {members} segments of stage {row.stage} stand" in text) == (members > 1)
+        assert f"adds {percent(lines.gain_share[lines.stage == row.stage].sum())} of all" in text
+        members = lines["order"][lines.stage == row.stage]
+        assert (f"all {len(members)} segments of stage {row.stage} ({members.min()}" in text) == (len(members) > 1)
+        assert ("Built at its turn" in text) == (len(members) == 1)
         touching = made.segments.polygons.geometry.intersects(made.segments.polygons.geometry.iloc[k])
         assert len(atlas.neighbours[k]) == touching.sum() - 1
 
@@ -221,7 +221,7 @@ def test_equal_plans_give_equal_bytes_without_a_date(atlas, folder, tmp_path):
 
 
 def test_years_treatments_and_prices_are_shown_where_there_are_any(made, atlas, tmp_path):
-    treated = with_treatments(made.segments, made.landscape, read_treatments()).lines
+    treated = made.segments.lines.assign(treatment="Räumung", treatment_yearly=123.45)
     lines = treated.assign(year=2027 + treated["order"] // 10, cost=treated["cells"] * 321.5)
     other = Atlas("t", lines, atlas.grid, polygons=atlas.polygons, elevation=atlas.elevation)
     write_book(tmp_path / "t.pdf", other, most=3)

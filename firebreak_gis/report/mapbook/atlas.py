@@ -99,15 +99,14 @@ class Atlas:
         else:
             first = f"Keeps fire from passing between {self._compartment(sides[0])} and {self._compartment(sides[1])}."
         sentences = [first]
-        if "gain_share" in row:
-            sentences.append(f"Built at its turn it adds {percent(row['gain_share'])} of all that the breaks save.")
         members = self.lines["order"][self.lines["stage"] == row["stage"]].astype(int).tolist()
-        if len(members) > 1:
-            share = f"; together they add {percent(row['stage_gain_share'])}" if "stage_gain_share" in row else ""
-            sentences.append(
-                f"Works only when all {len(members)} segments of stage {int(row['stage'])} stand ({_ranges(members)})"
-                f"{share}."
-            )
+        whole = f"adds {percent(row['stage_gain_share'])} of all that the breaks save" if "gain_share" in row else ""
+        if len(members) == 1:
+            sentences += [f"Built at its turn it {whole}."] if whole else []
+        else:
+            # The last of a stage gets its whole gain: what one of them adds by itself says nothing.
+            stage = f"all {len(members)} segments of stage {int(row['stage'])} ({_ranges(members)}) stand"
+            sentences.append(f"Works only when {stage}{whole and '; the stage ' + whole}.")
         if near := self.neighbours[k]:
             sentences.append(f"Meets {_ranges(sorted(self.lines['order'].iloc[near].astype(int)))}.")
         return sentences
