@@ -164,6 +164,14 @@ def line_width(text: Any, option: str) -> float | str:
     return metres
 
 
+def metres(text: Any, option: str) -> float:
+    """Read "12" or "12m"."""
+    found = line_width(text, option)
+    if isinstance(found, str):
+        raise ParameterError(f"{option} is {text!r}, expected metres, such as 12m")
+    return found
+
+
 def measured(quantity: Quantity) -> Callable[[Any, str], float | str]:
     """Make a reader of numbers, with or without a unit; anything else must name a raster that exists."""
 

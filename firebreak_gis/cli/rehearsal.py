@@ -155,6 +155,7 @@ def require_possible(request: PlanRequest) -> None:
     request.require_one_residual()
     if request.design.amount.unit == "share":
         request.design.amount.require()
+    request.design.require_lines()
     plugins.build_params(plugins.load("ranking", request.design.method), request.design.method_params)
     request.spread.require()
     request.weather.read()

@@ -9,6 +9,7 @@ import numpy as np
 
 from firebreak_gis.errors import InputError
 from firebreak_gis.grid import outlines
+from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.placement.edges import passable
 from firebreak_gis.stakes import checked_amounts
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 def compartments_of(
     network: SpreadNetwork,
-    breaks: Plane,
+    breaks: Plane | LineBreaks,
     *,
     value: Plane | None = None,
     ignition: Plane | None = None,
@@ -39,7 +40,7 @@ def compartments_of(
     network
         The spread network before cutting.
     breaks
-        (y, x), above 0 where the fuel is cut.
+        (y, x), above 0 where the fuel is cut; or lines, from `line_breaks`.
     value
         (y, x) value lost when the cell burns, any one unit, at least 0. Default: 1 on fuel.
     ignition
@@ -80,7 +81,12 @@ def compartments_of(
     """
     import geopandas as gpd
 
-    parts = split(network, network.mask(breaks, "breaks"), value=value, ignition=ignition)
+    if isinstance(breaks, LineBreaks):
+        network.grid.require(breaks.grid, "the lines")
+        cut, crossed = np.zeros(network.shape, bool), breaks.crossed
+    else:
+        cut, crossed = network.mask(breaks, "breaks"), None
+    parts = split(network, cut, crossed=crossed, value=value, ignition=ignition)
     columns: dict[str, np.ndarray] = {
         "compartment": np.arange(1, parts.cells.size + 1),
         "cells": parts.cells,
@@ -128,9 +134,14 @@ class Compartments:
 
 
 def split(
-    network: SpreadNetwork, cut: np.ndarray, *, value: Plane | None = None, ignition: Plane | None = None
+    network: SpreadNetwork,
+    cut: np.ndarray,
+    *,
+    crossed: np.ndarray | None = None,
+    value: Plane | None = None,
+    ignition: Plane | None = None,
 ) -> Compartments:
-    """Find the compartments, see `compartments`; `cut` is (rows, cols) bool."""
+    """Find the compartments, see `compartments`; `cut` is (rows, cols) bool, `crossed` that of `LineBreaks`."""
     import scipy.sparse as sp
     from scipy.sparse.csgraph import connected_components
 
@@ -140,6 +151,8 @@ def split(
     links = _links(network)
     kept = (network.burnable & ~cut).ravel()
     inner = links[:, kept[links[0]] & kept[links[1]]]
+    if crossed is not None:
+        inner = inner[:, ~_parted(inner, crossed)]
     number = np.cumsum(kept, dtype=np.int32) - 1
     n_kept = int(np.count_nonzero(kept))
     graph = sp.coo_array((np.ones(inner.shape[1], np.int8), (number[inner[0]], number[inner[1]])), (n_kept, n_kept))
@@ -155,6 +168,18 @@ def split(
     return Compartments(
         labels.reshape(network.shape), cells[order], masses[0][order], masses[1][order], starts, worth, links
     )
+
+
+def _parted(links: np.ndarray, crossed: np.ndarray) -> np.ndarray:
+    """Which links, from a cell to one of the first four directions, a line crosses; (m,) bool."""
+    cols = crossed.shape[1]
+    row, col = np.divmod(links, cols)
+    steps = list(zip(ROW_STEP[:4], COL_STEP[:4], strict=True))
+    down, right = row[1] - row[0], col[1] - col[0]
+    out = np.zeros(links.shape[1], bool)
+    for d, step in enumerate(steps):
+        out |= (down == step[0]) & (right == step[1]) & ((crossed.ravel()[links[0]] >> d) & 1 > 0)
+    return out
 
 
 def weights(network: SpreadNetwork, data: Plane | None, name: str) -> np.ndarray:

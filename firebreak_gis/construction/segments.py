@@ -167,7 +167,7 @@ def segments_of(
         "gain": saved,
         "gain_share": share,
         "stage_gain_share": np.bincount(stage, weights=share)[stage] if stage.size else share,
-        **_columns(network, owner, order, price, _slope(network, elevation)),
+        **_columns(network, owner, order, price, slope(network, elevation)),
         **_holding(network, owner, order, cut),
     }
     return _frames(network, owner, order, columns, borders)
@@ -284,7 +284,7 @@ def _settle(pieces: _Pieces, stages: list[list[int]]) -> tuple[np.ndarray, np.nd
     return np.append(every, -1)[best], position, every[built], stage
 
 
-def _slope(network: SpreadNetwork, elevation: Plane | None) -> np.ndarray:
+def slope(network: SpreadNetwork, elevation: Plane | None) -> np.ndarray:
     """Slope of the terrain by Horn [degrees], (rows, cols); NaN where unknown."""
     if elevation is None:
         return np.full(network.shape, np.nan)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -14,7 +15,7 @@ from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import as_embers
-from firebreak_gis.simulation.fires import burn_budgets
+from firebreak_gis.simulation.fires import burn_budgets, burn_each, resolved
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode
@@ -23,11 +24,26 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.weather import WeatherNetworks
 
 #: Ranks the cells for a budget (a share) and a residual, reporting its progress; the same object for the same plan.
 Ranker = Callable[[float, float, Progress], "np.ndarray | xr.DataArray"]
+
+
+@dataclass(frozen=True)
+class ByBudget:
+    """Breaks that do not follow from a priority.
+
+    Parameters
+    ----------
+    breaks
+        Returns them for a budget, a share of the fuel; None for none.
+    """
+
+    breaks: Callable[[float], LineBreaks | None]
+
 
 Test = Literal["wilcoxon", "ranksum", "t"]
 
@@ -131,7 +147,7 @@ def evaluate(
 
 def evaluate_fires(
     network: SpreadNetwork,
-    priorities: Mapping[str, np.ndarray | xr.DataArray | Ranker],
+    priorities: Mapping[str, np.ndarray | xr.DataArray | Ranker | ByBudget],
     request: FireRequest,
     *,
     budgets: Sequence[float] | np.ndarray,
@@ -152,16 +168,23 @@ def evaluate_fires(
         The fires. With a clock, embers or breaks that fail, each budget is burnt by itself; see `burn_budgets`.
     ground
         Where the fires burn, if that is not `network`.
-    priorities, budgets, baseline, test, alpha, threads, progress
+    priorities
+        As in `evaluate`, or `ByBudget`, whose budgets are burnt one by one.
+    budgets, baseline, test, alpha, threads, progress
         As in `evaluate`.
     """
     _require_choice(priorities, baseline, test)
     for priority in priorities.values():
-        require_priority(priority)
+        if not isinstance(priority, ByBudget):
+            require_priority(priority)
     cells = {}
     for i, (name, priority) in enumerate(priorities.items()):
         step = part(progress, i / len(priorities), (i + 1) / len(priorities), f"{name}: ")
-        if callable(priority):
+        if isinstance(priority, ByBudget):
+            same = replace(request, ignitions=resolved(network, request))
+            laid = (priority.breaks(float(budget)) for budget in budgets)
+            burnt = burn_each(ground or Ground(network), same, laid, n=len(budgets), threads=threads, progress=step)
+        elif callable(priority):
             plans = _plans(priority, budgets, part(step, 0.0, 0.5))
             later = part(step, 0.5, 1.0)
             burnt = burnt_under(

@@ -58,6 +58,7 @@ def feasibility(
     width: float | None = None,
     residual: float = 0.0,
     refine: bool = False,
+    line_width: float | None = None,
     ignitions: Callable[[], Ignitions] | None = None,
 ) -> Feasibility:
     """Check what is asked of a plan against the landscape.
@@ -76,13 +77,16 @@ def feasibility(
         Share of its spread probability that a treated cell keeps.
     refine
         Whether the breaks are improved by local search.
+    line_width
+        Width of breaks that are lines [m].
     ignitions
         Returns where the simulated fires start, or raises what is wrong with that.
     """
     check = _Check(network, stakes)
     check.reach()
-    check.afford(budget)
+    check.afford(budget, lines=line_width is not None)
     check.width(width, residual)
+    check.lines(line_width, budget)
     if refine and width_in_cells(width, network.grid.cell_size) > 1:
         check.problems.append(
             ParameterError(
@@ -130,14 +134,14 @@ class _Check:
                 )
             )
 
-    def afford(self, budget: Budget) -> None:
+    def afford(self, budget: Budget, *, lines: bool = False) -> None:
         """How far the budget goes."""
         try:
             cells = self._bought(budget)
         except ParameterError as error:
             self.problems.append(error)
             return
-        if cells == 0 < budget.amount and self.n_free:
+        if cells == 0 < budget.amount and self.n_free and not lines:
             self.warnings.append(f"a budget of {budget} does not buy a single cell, so nothing is cut")
 
     def _bought(self, budget: Budget) -> int:
@@ -206,6 +210,17 @@ class _Check:
                 f"breaks {cells} cells wide are taken as perfect (residual 0), which one cell would be too; the same "
                 "budget then encloses less. If width is there because breaks leak, give --residual"
             )
+
+    def lines(self, width: float | None, budget: Budget) -> None:
+        """Whether breaks can be lines of that width, and how long they get."""
+        if width is None:
+            return
+        if not (math.isfinite(width) and width > 0.0):
+            self.problems.append(ParameterError(f"the width of lines is {width} m, expected a number above 0"))
+            return
+        hectares = {"share": budget.amount * self._ha(self.n_fuel), "ha": budget.amount}.get(budget.unit)
+        told = f"; the budget is {hectares * 10.0 / width:,.4g} km of them" if hectares else ""
+        self.account.append(f"breaks are lines {width:g} m wide, which count by length times width{told}")
 
     def ignitions(self, draw: Callable[[], Ignitions]) -> None:
         """Whether fires can start."""

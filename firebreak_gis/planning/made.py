@@ -12,9 +12,12 @@ import numpy as np
 
 from firebreak_gis.breaks import break_polygons
 from firebreak_gis.construction.compartments import compartments_of
+from firebreak_gis.construction.lines import line_polygons, line_segments
 from firebreak_gis.construction.segments import Segments, segments_of
+from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.measures import judge, resamples
+from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.planning.feasibility import Feasibility
 from firebreak_gis.planning.goals import goals_table
 from firebreak_gis.planning.judging import Judging, headline
@@ -30,6 +33,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.construction.treating import Treated
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.planning.line_design import LineDesign
 
 
 @dataclass(frozen=True, repr=False)
@@ -63,6 +67,8 @@ class Plan(Shown):
         What could be reached.
     treated
         The segments, where each has a treatment, and what they leave; None where all cells are treated alike.
+    lines
+        The walls, where breaks are lines; `breaks` are then the cells that they pass.
     objectives
         By name, what each fire loses of single values at risk, without and with the breaks, (n_runs,) each.
     """
@@ -82,15 +88,16 @@ class Plan(Shown):
     feasibility: Feasibility
     treated: Treated | None = None
     objectives: Mapping[str, tuple[np.ndarray, np.ndarray]] = field(default_factory=dict)
+    lines: LineDesign | None = None
 
     def facts(self) -> dict[str, object]:
         """Ranking, cut, saving and grid, as `repr` shows them."""
         area = self.network.grid.cell_area_ha
-        cut = int(np.count_nonzero(self.breaks.to_numpy() > 0))
+        cut = self._lines_built.get("ha_cut", int(np.count_nonzero(self.breaks.to_numpy() > 0)) * area)
         before, after = (float(burns["fire_size"].mean()) * area for burns in (self.before, self.after))
         return {
             "ranking": self.request.design.method,
-            "cut": f"{cut * area:,.4g} ha ({100 * cut / max(self.network.n_burnable, 1):.3g} % of the fuel)",
+            "cut": f"{cut:,.4g} ha ({100 * cut / max(self.network.n_burnable * area, 1e-9):.3g} % of the fuel)",
             "mean fire": f"{before:,.4g} ha without, {after:,.4g} ha with the breaks",
             "fires": self.before.sizes["run"],
             "grid": self.network.grid.describe(),
@@ -113,6 +120,7 @@ class Plan(Shown):
             title=self.title,
             budget=float(self.share),
             caption=" ".join(self.judged.assumptions),
+            lines=None if self.lines is None else self.walls,
         )
 
     def explore(self, **options: Any) -> Any:
@@ -146,6 +154,7 @@ class Plan(Shown):
             "model": spread.model,
             "model_params": dict(spread.model_params),
             "width": design.width,
+            **({} if design.line_width is None else {"line_width": design.line_width}),
             "residual": fires.residual,
             "timeless": self.request.timeless,
             "duration": None if fires.duration is None else fires.duration.told(),
@@ -158,9 +167,23 @@ class Plan(Shown):
             "seed": fires.seed,
         }
 
+    @cached_property
+    def laid(self) -> xr.DataArray | LineBreaks | None:
+        """The breaks as fires meet them: cells, or lines, or None if lines were asked and none is paid."""
+        return self.breaks if self.lines is None else self.lines.breaks(self.request.design.amount)
+
+    @property
+    def walls(self) -> gpd.GeoDataFrame:
+        """Lines that are built, one row a wall in order; only where breaks are lines."""
+        if self.lines is None:
+            raise ParameterError("the breaks are cells, not lines; give line_width")
+        return self.lines.walls.iloc[: self.lines.bought(self.request.design.amount)]
+
     @property
     def polygons(self) -> gpd.GeoDataFrame:
-        """Connected pieces of the breaks, see `break_polygons`."""
+        """Connected pieces of the breaks, see `break_polygons` and `lines.line_polygons`."""
+        if self.lines is not None:
+            return line_polygons(self.walls)
         return break_polygons(self.breaks, self.priority)
 
     @cached_property
@@ -168,6 +191,15 @@ class Plan(Shown):
         """Middle lines and outlines of what is to be built, in order, see `segments.segments`."""
         if self.treated is not None:
             return self.treated.segments
+        if self.lines is not None:
+            return line_segments(
+                self.network,
+                self.walls,
+                self.laid if isinstance(self.laid, LineBreaks) else None,
+                elevation=self.landscape["elevation"],
+                value=self.stakes.value,
+                ignition=self.stakes.ignition,
+            )
         return segments_of(
             self.network,
             self.breaks,
@@ -181,8 +213,9 @@ class Plan(Shown):
     @cached_property
     def compartments(self) -> gpd.GeoDataFrame:
         """The fuel between the breaks and what it has to lose, see `compartments.compartments`."""
+        laid = np.zeros(self.network.shape, bool) if self.laid is None else self.laid
         return compartments_of(
-            self.network, self.breaks, value=self.stakes.value, ignition=self.stakes.ignition, burns=self.after
+            self.network, laid, value=self.stakes.value, ignition=self.stakes.ignition, burns=self.after
         )[1]
 
     @property
@@ -201,6 +234,33 @@ class Plan(Shown):
         planned = list(losses)[-1]
         every: dict[str, Any] = {**losses, **self.objectives}
         return goals_table(every, planned=planned, goal=self.request.design.goal, seed=self.request.fires.seed)
+
+    @property
+    def built(self) -> str:
+        """What is built, in words."""
+        summary = self.summary
+        if self.lines is None:
+            return (
+                f"{summary['cells_cut']} of {summary['burnable_cells']} cells with fuel cut "
+                f"({summary['ha_cut']:,.1f} ha)"
+            )
+        return (
+            f"{summary['line_km']:,.1f} km of lines {self.request.design.line_width:g} m wide "
+            f"({summary['ha_cut']:,.1f} ha) in {summary['walls']} walls"
+        )
+
+    @property
+    def _lines_built(self) -> dict[str, Any]:
+        """What lines take, in place of what their cells would."""
+        if self.lines is None:
+            return {}
+        walls = self.walls
+        return {
+            "ha_cut": round(float(walls["area_ha"].sum()), 4),
+            "cost": float(walls["cost"].sum()),
+            "line_km": round(float(walls["length_m"].sum()) / 1000.0, 4),
+            "walls": len(walls),
+        }
 
     @property
     def fire_sizes(self) -> pd.DataFrame:
@@ -248,6 +308,7 @@ class Plan(Shown):
             "cells_cut": int(np.count_nonzero(cut)),
             "ha_cut": round(int(np.count_nonzero(cut)) * area, 4),
             "cost": self._cost,
+            **self._lines_built,
             "burnt_share_without_breaks": float(before.mean() / n_burnable),
             "burnt_share_with_breaks": float(after.mean() / n_burnable),
             "burnt_share_with_breaks_p90": float(np.percentile(after, 90) / n_burnable),

@@ -9,15 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import Amount, BudgetUnit, select_breaks
+from firebreak_gis.breaks import Amount, Budget, BudgetUnit, select_breaks
 from firebreak_gis.construction.treatments import as_treatments, totals
-from firebreak_gis.evaluation.curves import evaluate_fires
+from firebreak_gis.evaluation.curves import ByBudget, evaluate_fires
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.planning.budgets import default_budgets, few_budgets, reachable
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
 from firebreak_gis.planning.goals import N_DESIGNS, Goal, for_worst_tenth
 from firebreak_gis.planning.judging import Judging, Scene
+from firebreak_gis.planning.line_design import LineDesign, design_lines
 from firebreak_gis.planning.made import Plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
 from firebreak_gis.planning.timing import Estimate, fire_seconds, ranking_seconds
@@ -38,6 +39,7 @@ from firebreak_gis.stakes import StakePlanes, Stakes
 if TYPE_CHECKING:
     import xarray as xr
 
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
 
     Plane = np.ndarray | xr.DataArray
@@ -72,6 +74,7 @@ def plan(
     timeless: bool = False,
     refine: bool = False,
     goal: Goal = "mean",
+    line_width: float | None = None,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
     ignitions_outside: Outside = "refuse",
@@ -125,6 +128,9 @@ def plan(
     goal
         `"mean"`, or `"worst-tenth"`: what is to be small, the loss of the mean fire or that of the worst tenth, see
         `goals.for_worst_tenth`. `Plan.goals` tells what the plan does for both, in hectares and values.
+    line_width
+        Width of breaks that are lines in place of whole cells [m], which the method `dissection` then plans; the budget
+        counts length times width.
     ignitions, ignition_mode, n_runs, seed, threads, progress
         As in `simulate`; without `ignitions` fires start by `ignition`. No method designs its plan with these fires.
     ignitions_outside
@@ -157,7 +163,7 @@ def plan(
     """
     request = PlanRequest(
         design=DesignRequest(
-            method, method_params or {}, budget, budget_unit, width, refine, as_treatments(treatments), goal
+            method, method_params or {}, budget, budget_unit, width, refine, as_treatments(treatments), goal, line_width
         ),
         spread=SpreadRequest(model, model_params or {}),
         fires=FireRequest(
@@ -206,6 +212,7 @@ def make_plan(
         Told, before the ranking, how long all will take; without it nobody looks.
     """
     asked, fires = request.design, request.fires
+    asked.require_lines()
     account = Account()
     request.require_one_residual()
     scene = Scene.of(landscape, request.spread, request.weather.read(), account)
@@ -230,6 +237,7 @@ def make_plan(
         width=asked.width,
         residual=leak,
         refine=asked.refine,
+        line_width=asked.line_width,
         ignitions=start,
     )
     found.require()
@@ -263,7 +271,19 @@ def make_plan(
         foreseen(Estimate(seconds))
     spans = dict(zip(seconds, in_proportion(list(seconds.values()), 0.02, 1.0), strict=True))
     ranking = part(progress, *spans["ranking"], f"rank by {asked.method}: ")
-    if asked.goal == "mean":
+    lines: LineDesign | None = None
+    if asked.line_width is not None:
+        lines = design_lines(
+            network,
+            stakes=stakes,
+            budget=asked.amount,
+            width=asked.line_width,
+            params=asked.method_params,
+            threads=threads,
+            progress=ranking,
+        )
+        priority, breaks = lines.priority, lines.passed(asked.amount)
+    elif asked.goal == "mean":
         priority, breaks = designed(stakes, ranking)
     else:
         priority, breaks = for_worst_tenth(
@@ -276,6 +296,7 @@ def make_plan(
             threads=threads,
             progress=ranking,
         )
+    laid: xr.DataArray | LineBreaks | None = lines.breaks(asked.amount) if lines else breaks
     treated = None if offers is None else treat(offers, network, stakes, breaks, priority, asked.amount)
     if treated is not None:
         fires = replace(fires, residual=treated.residual)
@@ -292,22 +313,26 @@ def make_plan(
     first, last = spans["fires"]
     half = (first + last) / 2
     before = burnt(value=value, progress=part(progress, first, half, "without breaks: "))
-    after = burnt(value=value, breaks=breaks, progress=part(progress, half, last, "with breaks: "))
+    after = burnt(value=value, breaks=laid, progress=part(progress, half, last, "with breaks: "))
 
     def lost(plane: Plane, name: str) -> tuple[np.ndarray, np.ndarray]:
         of = partial(burnt, value=network.plane(plane, name), progress=part(progress, last, last))
-        return of()["value_lost"].to_numpy(), of(breaks=breaks)["value_lost"].to_numpy()
+        return of()["value_lost"].to_numpy(), of(breaks=laid)["value_lost"].to_numpy()
 
     objectives = {name: lost(plane, name) for name, plane in planes.objectives.items()}
     baselines = {name: rank(network, name, stakes=stakes, seed=fires.seed) for name in others}
-    cut = breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
+    cut = lines.share(asked.amount) if lines else breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
     share = asked.amount.amount if asked.amount.unit == "share" else cut
-    rankings = {asked.method: priority, **baselines}
+    rankings = {asked.method: ByBudget(lambda b: lines.breaks(Budget(b))) if lines else priority, **baselines}
+    many, few = (
+        few_budgets(share) if lines else reachable(each(share), priority, network)
+        for each in (default_budgets, few_budgets)
+    )
     paper = evaluate_fires(
         network,
         rankings,
         judged.paper,
-        budgets=reachable(default_budgets(share), priority, network),
+        budgets=many,
         threads=threads,
         progress=part(progress, *spans["curve without a clock"], "evaluate "),
     )
@@ -317,7 +342,7 @@ def make_plan(
             network,
             rankings,
             fires,
-            budgets=reachable(few_budgets(share), priority, network),
+            budgets=few,
             ground=ground,
             threads=threads,
             progress=part(progress, *spans["curve"], "evaluate with a clock: "),
@@ -338,6 +363,7 @@ def make_plan(
         found,
         treated,
         objectives,
+        lines,
     )
 
 

@@ -20,6 +20,7 @@ from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.planning.goals import Goal
+from firebreak_gis.planning.line_design import line_params
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.request import FireRequest
 
@@ -42,6 +43,8 @@ class DesignRequest:
         Table from which each segment gets its treatment; None: all segments alike, as the residual of the fires says.
     goal
         Whether the mean of all fires or that of their worst tenth is to be small, see `goals.for_worst_tenth`.
+    line_width
+        Width of breaks that are lines [m]; None: breaks are whole cells.
     """
 
     method: str = "dissection"
@@ -52,6 +55,7 @@ class DesignRequest:
     refine: bool = False
     treatments: Treatments | None = None
     goal: Goal = "mean"
+    line_width: float | None = None
 
     def __post_init__(self) -> None:
         """Refuse a budget that cannot be read, or that its unit contradicts."""
@@ -61,6 +65,28 @@ class DesignRequest:
     def amount(self) -> Budget:
         """How much may be cut."""
         return Budget.of(self.budget, self.budget_unit)
+
+    def require_lines(self) -> None:
+        """Refuse what breaks that are lines cannot have.
+
+        Raises
+        ------
+        ParameterError
+            Naming all of it.
+        """
+        if self.line_width is None:
+            return
+        refused = [f"--method {self.method}"] if self.method != "dissection" else []
+        refused += ["--width"] if self.width is not None else []
+        refused += ["--refine"] if self.refine else []
+        refused += ["--goal"] if self.goal != "mean" else []
+        refused += ["--treatments"] if self.treatments is not None else []
+        if refused:
+            raise ParameterError(
+                f"--line-width plans lines by dissection, which {', '.join(refused)} cannot change; leave "
+                f"{'it' if len(refused) == 1 else 'them'} out, or the width of lines"
+            )
+        line_params(self.method_params)
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from firebreak_gis.files import write_bytes
 from firebreak_gis.schema import VARIABLES
 
 if TYPE_CHECKING:
+    import geopandas as gpd
     from matplotlib.axes import Axes
     from matplotlib.colors import Colormap
     from matplotlib.figure import Figure
@@ -175,3 +176,16 @@ def draw_breaks(axes: Axes, breaks: np.ndarray, grid: Grid) -> None:
     picture = np.zeros((*breaks.shape, 4))
     picture[breaks > 0] = to_rgba(BREAK_COLOUR)
     show(axes, picture, grid)
+
+
+def draw_lines(axes: Axes, lines: gpd.GeoDataFrame, grid: Grid) -> None:
+    """Lay breaks that are lines over a map, in their order: the first ones thickest."""
+    import shapely
+    from matplotlib.collections import LineCollection
+
+    left, bottom = grid.bounds[:2]
+    parts, wall = shapely.get_parts(lines.geometry.array, return_index=True)
+    origin = np.array([left, bottom])
+    places = [(shapely.get_coordinates(part) - origin) / 1000.0 for part in parts]
+    thick = 2.0 - 1.2 * wall / max(len(lines) - 1, 1)
+    axes.add_collection(LineCollection(places, colors=BREAK_COLOUR, linewidths=thick, capstyle="round"))

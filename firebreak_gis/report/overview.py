@@ -13,6 +13,7 @@ from firebreak_gis.report.figures import (
     WATER,
     caption_under,
     draw_breaks,
+    draw_lines,
     hillshade,
     map_axes,
     new_figure,
@@ -23,6 +24,7 @@ from firebreak_gis.report.figures import (
 )
 
 if TYPE_CHECKING:
+    import geopandas as gpd
     import xarray as xr
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -39,6 +41,7 @@ def overview_figure(
     title: str,
     budget: float,
     caption: str = "",
+    lines: gpd.GeoDataFrame | None = None,
 ) -> Figure:
     """Draw the overview of a plan.
 
@@ -58,6 +61,8 @@ def overview_figure(
         d_f of the plan, marked in the curve.
     caption
         What the numbers assume.
+    lines
+        Breaks that are lines, `breaks` being the cells that they pass; with `area_ha` and `length_m`.
     """
     grid = Grid.of(breaks)
     rows, cols = grid.shape
@@ -73,8 +78,9 @@ def overview_figure(
     show_classes(axes[0, 2], landscape["density"].to_numpy(), grid, "density")
     # One scale for both maps, no higher than needed, so that rare fires still show.
     top = max(0.1, float(np.ceil(10 * np.nanmax(before["burn_frequency"].to_numpy(), initial=0.0)) / 10))
-    _frequency(axes[1, 0], before, grid, shade, "Burn frequency without breaks", None, top)
-    _frequency(axes[1, 1], after, grid, shade, "Burn frequency with the breaks", breaks, top)
+    _frequency(axes[1, 0], before, grid, shade, "Burn frequency without breaks", top)
+    _frequency(axes[1, 1], after, grid, shade, "Burn frequency with the breaks", top)
+    _lay(axes[1, 1], breaks, lines, grid, max(int(after.attrs["n_burnable"]), 1))
     draw_curve(axes[1, 2], evaluation, budget=budget, detail=False)
     axes[1, 2].set_title("Burnt share against share cut", fontsize=10, loc="left", fontweight="bold")
     return figure
@@ -99,7 +105,6 @@ def _frequency(
     grid: Grid,
     shade: np.ndarray,
     title: str,
-    breaks: xr.DataArray | None,
     top: float,
 ) -> None:
     map_axes(axes, grid, title)
@@ -114,15 +119,22 @@ def _frequency(
     bar.ax.tick_params(labelsize=7)
     mean, worst = (100 * cells / n_burnable for cells in (sizes.mean(), sizes.max()))
     note = f"mean burnt {mean:.1f} % of the fuel, worst run {worst:.1f} %"
-    if breaks is not None:
-        from matplotlib.patches import Patch
+    axes.set_xlabel(note, fontsize=8)
 
+
+def _lay(axes: Axes, breaks: xr.DataArray, lines: gpd.GeoDataFrame | None, grid: Grid, n_burnable: int) -> None:
+    """Lay the breaks over a map, and say how much they are."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    handle: Patch | Line2D
+    if lines is None:
         draw_breaks(axes, breaks.to_numpy(), grid)
         count = int(np.count_nonzero(breaks.to_numpy()))
-        axes.legend(
-            handles=[Patch(color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {100 * count / n_burnable:.1f} %")],
-            loc="upper left",
-            fontsize=7,
-            framealpha=0.85,
-        )
-    axes.set_xlabel(note, fontsize=8)
+        handle = Patch(color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {100 * count / n_burnable:.1f} %")
+    else:
+        draw_lines(axes, lines, grid)
+        share = 100 * lines["area_ha"].sum() / (n_burnable * grid.cell_area_ha)
+        told = f"fire breaks: {lines['length_m'].sum() / 1000:,.0f} km of lines, {share:.1f} %"
+        handle = Line2D([], [], color=BREAK_COLOUR, label=told)
+    axes.legend(handles=[handle], loc="upper left", fontsize=7, framealpha=0.85)

@@ -8,7 +8,7 @@ open edges with and without breaks, and neither the number of threads nor the or
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -351,18 +351,34 @@ def burn_budgets(
         burn_levels(ground.network, start, levels.ravel(), burnt, request, threads, progress)
     else:
         same = replace(request, ignitions=start)
-        for k in range(len(budgets)):
-            burns = burn(
-                ground.network,
-                same,
-                breaks=levels < k,
-                weather=ground.weather,
-                barriers=ground.barriers,
-                threads=threads,
-                progress=part(progress, k / len(budgets), (k + 1) / len(budgets)),
-            )
-            burnt[:, k] = burns["fire_size"]
+        each = (levels < k for k in range(len(budgets)))
+        burnt = burn_each(ground, same, each, n=len(budgets), threads=threads, progress=progress)
     return _curve(network, burnt, budgets, request.seed)
+
+
+def burn_each(
+    ground: Ground,
+    request: FireRequest,
+    plans: Iterable[np.ndarray | xr.DataArray | LineBreaks | None],
+    *,
+    n: int,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> np.ndarray:
+    """Cells burnt in every run under each of `n` plans by the same draws, (n_runs, n) int64."""
+    burnt = np.zeros((request.n_runs, n), np.int64)
+    for k, breaks in enumerate(plans):
+        burns = burn(
+            ground.network,
+            request,
+            breaks=breaks,
+            weather=ground.weather,
+            barriers=ground.barriers,
+            threads=threads,
+            progress=part(progress, k / n, (k + 1) / n),
+        )
+        burnt[:, k] = burns["fire_size"]
+    return burnt
 
 
 def _curve(network: SpreadNetwork, burnt: np.ndarray, budgets: Sequence[float] | np.ndarray, seed: int) -> xr.DataArray:

@@ -17,7 +17,7 @@ LABELS: Mapping[str, str] = {
     "network": "Spread network",
     "priority": "Cutting priority",
     "mask": "Fire breaks",
-    "line_width": "Width of breaks that are lines [m], narrower than a cell too",
+    "line_width": "Width of breaks that are lines [m]",
     "budget": "Budget, such as 10%, 5ha or 20000eur",
     "budget_unit": "Unit of a budget that is a plain number",
     "refine": "Improve the breaks on simulated fires (takes longer)",

@@ -44,6 +44,13 @@ STEP = 1
     help="What is to be small: the loss of the mean fire, or that of the worst tenth of the fires (CVaR).",
 )
 @click.option(
+    "--line-width",
+    type=kinds.METRES,
+    metavar="METRES",
+    help="Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the "
+    "budget counts their length times their width.",
+)
+@click.option(
     "--treatments",
     type=kinds.TREATMENTS,
     metavar="FILE|default",
@@ -140,8 +147,7 @@ def command(
     told = {"headline": result.headline, "assumptions": result.judged.assumptions}
     session.finish(
         {"files": files, **told, **summary},
-        f"{summary['cells_cut']} of {summary['burnable_cells']} cells with fuel cut "
-        f"({summary['ha_cut']:,.1f} ha).\n"
+        f"{result.built}.\n"
         f"{result.headline[0]}\n"
         f"{' '.join(result.judged.assumptions)}\n"
         f"{judged['leverage']:.3g} ha saved per ha treated "

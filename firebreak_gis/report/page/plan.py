@@ -305,6 +305,8 @@ def _curve(table: pd.DataFrame | None, account: Mapping[str, Any]) -> Curve | No
     ]
     summary = account.get("summary", {})
     share = summary.get("cells_cut", 0) / max(summary.get("burnable_cells", 1), 1)
+    if "line_km" in summary:  # lines take less than the cells that they pass
+        share = summary["ha_cut"] / max(summary["burnable_ha"], 1e-9)
     note = account.get("curve_note") or (
         "Mean burnt share of the fuel when the first cells of each ranking are cut, burning until no fire can go on "
         "and breaks perfect. The dashed line is this plan."

@@ -1,0 +1,224 @@
+"""A plan of lines: walls in the order of building, and those that a budget buys.
+
+The budget counts what the lines take of the land, length times width, or what that costs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis import plugins
+from firebreak_gis.breaks import Budget
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.footprints import footprints
+from firebreak_gis.landscape.lines import LineBreaks, links_crossed
+from firebreak_gis.schema import annotate
+
+if TYPE_CHECKING:
+    import geopandas as gpd
+    import xarray as xr
+
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.placement.lines import LineCut
+    from firebreak_gis.progress import Progress
+    from firebreak_gis.stakes import Stakes
+
+#: Walls are kept up to so many times the budget, for the curve about it.
+_BEYOND = 2.0
+#: Compartments of fewer cells are left whole, where nothing else is asked.
+_SMALLEST = 64
+#: Cells from the end of a line within which it is led on to a line that stands before it.
+_JOINED = 1.5
+
+
+@dataclass(frozen=True, eq=False)
+class LineDesign:
+    """Walls in the order of building; each stands on those before it.
+
+    Parameters
+    ----------
+    walls
+        One row a wall: `length_m`, `width_m`, `area_ha`, `cost` (in the unit of the stakes), `saved` (expected loss
+        that it saves at its turn, as a share of all ignitions times all value), and multilines.
+    grid
+        The grid of the network.
+    fuel_ha
+        Area of all fuel, of which budgets are shares.
+    """
+
+    walls: gpd.GeoDataFrame
+    grid: Grid
+    fuel_ha: float
+
+    def bought(self, budget: Budget) -> int:
+        """How many walls a budget pays, the first ones."""
+        budget.require()
+        if budget.unit == "cost":
+            return budget.affordable(self.walls["cost"].to_numpy())
+        hectares = budget.amount * (self.fuel_ha if budget.unit == "share" else 1.0)
+        return Budget(hectares, "cost").affordable(self.walls["area_ha"].to_numpy())
+
+    def breaks(self, budget: Budget) -> LineBreaks | None:
+        """The walls that a budget pays, on the grid; None if it pays none."""
+        count = self.bought(budget)
+        if not count:
+            return None
+        lines = self.walls[["width_m", "geometry"]].iloc[:count]
+        return LineBreaks(lines, *links_crossed(lines, self.grid), self.grid)
+
+    def share(self, budget: Budget) -> float:
+        """Share of the area of the fuel that the walls take which a budget pays."""
+        return float(self.walls["area_ha"].iloc[: self.bought(budget)].sum()) / max(self.fuel_ha, 1e-300)
+
+    @property
+    def priority(self) -> xr.DataArray:
+        """`priority` (y, x): cells that the first wall passes highest; -inf where none does."""
+        prints = footprints(self.walls, self.grid)
+        plane = np.full(self.grid.shape, -np.inf)
+        np.maximum.at(plane.ravel(), prints.cell, len(self.walls) - prints.feature.astype(np.float64))
+        return annotate(self.grid.dataarray(plane, "priority"))
+
+    def passed(self, budget: Budget) -> xr.DataArray:
+        """`breaks` (y, x) uint8: 1 in cells that a line passes which the budget pays."""
+        count = self.bought(budget)
+        prints = footprints(self.walls.iloc[:count], self.grid)
+        plane = np.zeros(self.grid.shape, np.uint8)
+        plane.ravel()[prints.cell] = 1
+        told = {"budget": float(budget.amount), "unit": budget.unit, "cells_cut": int(plane.sum())}
+        return annotate(self.grid.dataarray(plane, "breaks")).assign_attrs(told)
+
+
+def design_lines(
+    network: SpreadNetwork,
+    *,
+    stakes: Stakes,
+    budget: Budget,
+    width: float,
+    params: Mapping[str, Any] | None = None,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> LineDesign:
+    """Find walls that are lines of one width, see `placement.lines`.
+
+    Parameters
+    ----------
+    network, stakes
+        What is planned for, on square cells in metres.
+    budget
+        For what it is: walls are kept up to twice as much.
+    width
+        Of the lines [m].
+    params
+        `directions` and `smallest` of the ranking `dissection`.
+    threads, progress
+        As in `plan`.
+
+    Raises
+    ------
+    ParameterError
+        If the width is not above 0, or another parameter is given.
+    """
+    import geopandas as gpd
+
+    from firebreak_gis.placement.dissection import sequence
+    from firebreak_gis.placement.lines import dissect_by_lines
+    from firebreak_gis.progress import silent
+
+    directions, smallest = line_params(params or {})
+    if not (np.isfinite(width) and width > 0):
+        raise ParameterError(f"the width of lines is {width} m, expected a number above 0")
+    grid = network.grid
+    grid.require_metres("lines with a width")
+    cuts = dissect_by_lines(
+        network,
+        stakes,
+        directions=directions,
+        smallest=smallest,
+        threads=threads,
+        progress=progress or silent,
+    )
+    order = sequence([cut.saved for cut in cuts], [cut.cost for cut in cuts], [cut.parent for cut in cuts])
+    area = width * grid.cell_size / 10_000.0
+    price = width / grid.cell_size
+    fuel_ha = network.n_burnable * grid.cell_area_ha
+    kept = _kept([cuts[i] for i in order], budget, area=area, price=price, fuel_ha=fuel_ha)
+    geometry = _joined([_on_map(cut, grid) for cut in kept], grid.cell_size)
+    length = np.array([shape.length for shape in geometry])
+    frame = gpd.GeoDataFrame(geometry=geometry, crs=grid.crs)
+    prints = footprints(frame, grid)
+    cost = np.bincount(prints.feature, prints.part * stakes.cost.ravel()[prints.cell], minlength=len(kept))
+    table = {
+        "length_m": length,
+        "width_m": np.full(len(kept), float(width)),
+        "area_ha": length * width / 10_000.0,
+        "cost": cost * price,
+        "saved": np.array([cut.saved for cut in kept]),
+    }
+    return LineDesign(frame.assign(**table), grid, fuel_ha)
+
+
+def line_params(params: Mapping[str, Any]) -> tuple[int, int]:
+    """Directions and smallest compartment for walls of lines; anything else is refused."""
+    other = sorted(set(params) - {"directions", "smallest"})
+    if other:
+        raise ParameterError(f"lines take the parameters directions and smallest of dissection, not {', '.join(other)}")
+    module = plugins.load("ranking", "dissection")
+    built = plugins.build_params(module, {"smallest": _SMALLEST, **params})
+    return int(built.directions), int(built.smallest)
+
+
+def _kept(cuts: list[LineCut], budget: Budget, *, area: float, price: float, fuel_ha: float) -> list[LineCut]:
+    """The first walls, up to some times the budget."""
+    each = np.array([cut.cost * price if budget.unit == "cost" else cut.length * area for cut in cuts])
+    most = _BEYOND * budget.amount * (fuel_ha if budget.unit == "share" else 1.0)
+    return cuts[: int(np.searchsorted(np.cumsum(each), most, side="right")) + 1]
+
+
+def _on_map(cut: LineCut, grid: Grid) -> list[np.ndarray]:
+    """Its lines in the coordinates of the map."""
+    from firebreak_gis.kernels.crossings import PARTS
+
+    t = grid.transform
+    return [np.column_stack([t.c + t.a * line[:, 0] / PARTS, t.f + t.e * line[:, 1] / PARTS]) for line in cut.lines]
+
+
+def _joined(walls: list[list[np.ndarray]], cell_size: float) -> list[Any]:
+    """The walls as multilines, each end near a line of a wall before led to it, or cut where it crosses that."""
+    import shapely
+
+    every = [shapely.LineString(line) for wall in walls for line in wall]
+    owner = np.repeat(np.arange(len(walls)), [len(wall) for wall in walls])
+    tree = shapely.STRtree(every)
+    reach = _JOINED * cell_size
+    out = []
+    for k, wall in enumerate(walls):
+        lines = []
+        for line in wall:
+            if np.hypot(*np.diff(line, axis=0).T).sum() > cell_size:  # not the stubs across corners
+                for _ in range(2):
+                    line = line[::-1]
+                    near = tree.query(shapely.Point(line[0]), predicate="dwithin", distance=reach)
+                    before = [every[i] for i in near[owner[near] < k]]
+                    if before:
+                        line = _led(line, shapely.MultiLineString(before), reach)
+            lines.append(line)
+        out.append(shapely.MultiLineString(lines))
+    return out
+
+
+def _led(line: np.ndarray, target: Any, reach: float) -> np.ndarray:
+    """A line whose beginning is led to the nearest place of a target, or cut where it crosses it, within reach."""
+    import shapely
+
+    half = np.vstack([line[0], line[:2].mean(axis=0)])  # what is beyond belongs to the other end
+    met = shapely.intersection(shapely.LineString(half), target)
+    crosses = not met.is_empty
+    place = shapely.get_coordinates(shapely.shortest_line(met if crosses else target, shapely.Point(line[0])))[0]
+    if np.hypot(*(place - line[0])) > reach:
+        return line
+    return np.vstack([place, line[1:] if crosses else line])

@@ -1,0 +1,223 @@
+"""Plans whose breaks are lines: what the budget buys, what is written, and what fires meet."""
+
+from __future__ import annotations
+
+import json
+
+import geopandas as gpd
+import numpy as np
+import pandas as pd
+import pytest
+import rasterio
+import shapely
+from click.testing import CliRunner
+
+from firebreak_gis import plan, simulate, spread_network
+from firebreak_gis.breaks import Budget
+from firebreak_gis.cli import firebreak
+from firebreak_gis.construction.compartments import compartments_of, split
+from firebreak_gis.errors import ParameterError
+from firebreak_gis.landscape.lines import line_breaks, links_crossed
+from firebreak_gis.planning.judging import ASSUMED_DURATION, ASSUMED_HOLD
+from firebreak_gis.planning.line_design import design_lines
+from firebreak_gis.planning.outputs import write_plan
+from firebreak_gis.stakes import Stakes
+
+
+@pytest.fixture(scope="module")
+def landscape(make_landscape):
+    return make_landscape((60, 71), seed=2, relief=4.0)
+
+
+@pytest.fixture(scope="module")
+def result(landscape):
+    return plan(landscape, budget=0.08, line_width=6.0, model_params={"wind_speed": 3}, n_runs=40, seed=6)
+
+
+@pytest.fixture(scope="module")
+def network(landscape):
+    return spread_network(landscape, wind_speed=3)
+
+
+def test_fires_meet_the_lines_that_are_told(landscape, result, network):
+    laid = line_breaks(result.walls, network.grid, width="width_m")
+    fires = {"n_runs": 40, "seed": 6, "duration": ASSUMED_DURATION, "hold": ASSUMED_HOLD}
+    timed = spread_network(landscape, wind_speed=3, clock=True)
+    assert result.before.identical(simulate(timed, **fires))
+    assert result.after.identical(simulate(timed, breaks=laid, **fires))
+    endless = simulate(network, breaks=laid, n_runs=40, seed=6)["fire_size"].to_numpy()
+    chosen = result.paper["burnt_cells"].sel(ranking="dissection", budget=0.08)
+    np.testing.assert_array_equal(chosen, endless)
+    falling = result.paper["mean"].sel(ranking="dissection").to_numpy()
+    assert (np.diff(falling) <= 0).all()
+    assert falling[-1] < 0.5 * falling[0]
+
+
+@pytest.mark.parametrize("unit", ["share", "ha", "cost"])
+def test_budgets_are_never_exceeded_and_nested(network, unit):
+    cost = np.where(network.burnable, np.random.default_rng(1).uniform(1.0, 3.0, network.shape), 0.0)
+    stakes = Stakes(network, cost=cost)
+    fuel = network.n_burnable * network.grid.cell_area_ha
+    most = {"share": 0.1, "ha": 0.1 * fuel, "cost": 0.1 * cost.sum()}[unit]
+    lines = design_lines(network, stakes=stakes, budget=Budget(most, unit), width=6.0, params={"smallest": 16})
+    spent = {"share": lines.walls["area_ha"] / fuel, "ha": lines.walls["area_ha"], "cost": lines.walls["cost"]}[unit]
+    before = 0
+    for share in (0.0, 0.2, 0.5, 1.0, 1.9):
+        count = lines.bought(Budget(share * most, unit)) if share * most <= 1 or unit != "share" else 0
+        assert spent[:count].sum() <= share * most * (1 + 1e-9)
+        assert count == len(lines.walls) or spent[: count + 1].sum() > share * most
+        assert count >= before
+        before = count
+    assert lines.breaks(Budget(0.0, unit)) is None
+    np.testing.assert_allclose(lines.walls["area_ha"], lines.walls.length * 6.0 / 10_000)
+    wide = design_lines(network, stakes=stakes, budget=Budget(most, unit), width=12.0, params={"smallest": 16})
+    assert wide.bought(Budget(most, unit)) < lines.bought(Budget(most, unit))
+
+
+def test_costs_of_lines_are_those_of_the_ground_that_they_take(network):
+    """By the lengths in each cell that a slow sum over short pieces finds."""
+    cost = np.where(network.burnable, np.random.default_rng(1).uniform(1.0, 3.0, network.shape), 0.0)
+    lines = design_lines(network, stakes=Stakes(network, cost=cost), budget=Budget(0.05), width=5.0)
+    size, t = network.grid.cell_size, network.grid.transform
+    for wall in lines.walls.iloc[:10].itertuples():
+        total = 0.0
+        for line in wall.geometry.geoms:
+            at = shapely.get_coordinates(shapely.line_interpolate_point(line, np.arange(0.005, line.length, 0.01)))
+            col, row = (np.floor(p).astype(int) for p in ((at[:, 0] - t.c) / t.a, (at[:, 1] - t.f) / t.e))
+            inside = (row >= 0) & (col >= 0) & (row < cost.shape[0]) & (col < cost.shape[1])
+            total += 0.01 * cost[row[inside], col[inside]].sum() * 5.0 / size**2
+        assert wall.cost == pytest.approx(total, rel=0.01)
+
+
+def test_segments_are_the_walls(result, network):
+    lines, polygons = result.segments
+    walls = result.walls
+    assert len(walls) > 5
+    assert lines.length.sum() == pytest.approx(walls.length.sum())
+    assert lines["area_ha"].sum() == pytest.approx(walls["area_ha"].sum())
+    assert lines["area_ha"].sum() == pytest.approx(polygons.area.sum() / 10_000, rel=0.01)
+    assert lines["cost"].sum() == pytest.approx(walls["cost"].sum())
+    assert result.summary["cost"] == pytest.approx(walls["cost"].sum())
+    assert (lines["order"] == np.arange(1, len(lines) + 1)).all()
+    assert lines["stage"].is_monotonic_increasing
+    assert lines["stage"].nunique() == len(walls)
+    assert set(lines.geom_type) == {"LineString"}
+    assert polygons.is_valid.all()
+    # Gains add up to what all lines save, by the compartments that they leave.
+    none, every = np.zeros(network.shape, bool), links_crossed(walls, network.grid)[0]
+    before, after = (split(network, none, crossed=crossed) for crossed in (None, every))
+    loss = [(parts.ignition_mass * parts.value_mass).sum() for parts in (before, after)]
+    # Ends that are led to other lines may cut off a cell more.
+    assert lines["gain"].sum() == pytest.approx(loss[0] - loss[1], rel=1e-3)
+    assert lines["gain"].sum() <= (loss[0] - loss[1]) * (1 + 1e-9)
+    labels, table = compartments_of(network, line_breaks(walls, network.grid, width="width_m"))
+    assert table["cells"].sum() == network.n_burnable
+    pd.testing.assert_frame_equal(
+        pd.DataFrame(table.drop(columns="geometry")),
+        pd.DataFrame(result.compartments.drop(columns=["geometry", "burnt_value"])),
+    )
+    # What the longest segments part are compartments on their two sides.
+    for segment in lines.sort_values("length_m").tail(5).itertuples():
+        near = segment.geometry.buffer(1.2 * network.grid.cell_size)
+        for k in (segment.compartment_a, segment.compartment_b):
+            assert k > 0
+            assert table.geometry[k - 1].intersects(near)
+    assert int(labels.max()) == len(table)
+
+
+def test_gains_are_those_of_one_wall_after_the_other(result, network):
+    none = np.zeros(network.shape, bool)
+    walls, total = result.walls, network.n_burnable
+    before = split(network, none)
+    loss = (before.ignition_mass * before.value_mass).sum()
+    for k in range(1, min(len(walls), 8) + 1):
+        parts = split(network, none, crossed=links_crossed(walls.iloc[:k], network.grid)[0])
+        left = (parts.ignition_mass * parts.value_mass).sum()
+        assert loss - left == pytest.approx(walls["saved"].iloc[k - 1] * total, rel=1e-3)
+        loss = left
+
+
+def test_lines_end_on_the_edge_of_the_fuel_or_on_lines_before_them(result, network):
+    size = network.grid.cell_size
+    walls = result.walls
+    fuel = shapely.union_all(compartments_of(network, np.zeros(network.shape, bool))[1].geometry.array).buffer(1e-6)
+    loose = ends = 0
+    for k, wall in enumerate(walls.geometry):
+        before = shapely.union_all(walls.geometry.array[:k])
+        for line in wall.geoms:
+            if line.length > size:
+                for end in (line.coords[0], line.coords[-1]):
+                    ends += 1
+                    point = shapely.Point(end)
+                    loose += min(point.distance(fuel.boundary) / size, before.distance(point) if k else 1.0) > 0.3
+    assert ends > 10
+    assert loose == 0
+
+
+def test_a_plan_of_lines_is_written_and_read_again(landscape, result, tmp_path):
+    write_plan(result, tmp_path / "out")
+    lines = gpd.read_file(tmp_path / "out" / "segments.gpkg", layer="lines")
+    assert lines["length_m"].sum() == pytest.approx(result.walls["length_m"].sum())
+    pieces = gpd.read_file(tmp_path / "out" / "breaks.gpkg")
+    assert pieces.is_valid.all()
+    assert pieces["area_ha"].sum() == pytest.approx(result.walls["area_ha"].sum(), rel=0.05)
+    assert pieces["length_m"].sum() == pytest.approx(result.walls["length_m"].sum())
+    with rasterio.open(tmp_path / "out" / "breaks.tif") as file:
+        passed = file.read(1) > 0
+    touched = {int(c) for wall in result.walls.geometry for c in _cells(wall, result.network.grid)}
+    assert set(np.flatnonzero(passed).tolist()) == touched
+    with rasterio.open(tmp_path / "out" / "priority.tif") as file:
+        ranked = file.read(1, masked=True)
+    assert (ranked.filled(-1)[passed] > 0).all()
+    account = json.loads((tmp_path / "out" / "run.json").read_text())
+    summary = account["summary"]
+    fuel = result.network.n_burnable * result.network.grid.cell_area_ha
+    assert 0.05 * fuel < summary["ha_cut"] <= 0.08 * fuel + 1e-4
+    assert summary["line_km"] * 6.0 / 10.0 == pytest.approx(summary["ha_cut"], rel=1e-3)
+    assert account["parameters"]["line_width"] == 6.0
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert f"{summary['ha_cut']:,.0f} ha" in page
+
+
+def _cells(wall, grid):
+    """Cells that a multiline passes, by many points."""
+    t = grid.transform
+    places = [shapely.line_interpolate_point(line, np.arange(0.01, line.length, 0.02)) for line in wall.geoms]
+    at = shapely.get_coordinates(np.concatenate(places))
+    col, row = np.floor((at[:, 0] - t.c) / t.a).astype(int), np.floor((at[:, 1] - t.f) / t.e).astype(int)
+    inside = (row >= 0) & (col >= 0) & (row < grid.shape[0]) & (col < grid.shape[1])
+    return np.unique(row[inside] * grid.shape[1] + col[inside])
+
+
+def test_what_lines_cannot_have_is_refused(landscape, tmp_path):
+    for more, told in (
+        ({"method": "bonacich"}, "--method bonacich"),
+        ({"width": 20.0}, "--width"),
+        ({"refine": True}, "--refine"),
+        ({"method_params": {"width": 2}}, "not width"),
+        ({"line_width": 0.0}, "above 0"),
+        ({"line_width": float("nan")}, "above 0"),
+    ):
+        with pytest.raises(ParameterError, match=told):
+            plan(landscape, **({"line_width": 6.0, "n_runs": 1} | more))
+    words = ["plan", "a.tif", "b.tif", "-o", str(tmp_path / "out"), "--line-width"]
+    for more, told in ((["wide"], "12m"), (["6", "--treatments", "default"], "--treatments"), (["-1m"], "above 0")):
+        outcome = CliRunner().invoke(firebreak, [*words, *more])
+        assert outcome.exit_code == 2, outcome.output
+        assert told in outcome.output
+
+
+def test_a_budget_for_no_wall_builds_none(landscape):
+    made = plan(landscape, budget=0.0005, line_width=20.0, n_runs=5)
+    assert made.summary["ha_cut"] == 0.0
+    assert made.summary["walls"] == 0
+    np.testing.assert_array_equal(made.before["fire_size"], made.after["fire_size"])
+    assert len(made.segments.lines) == 0
+    assert len(made.polygons) == 0
+    assert made.compartments["cells"].sum() == made.network.n_burnable
+
+
+def test_lines_do_not_depend_on_threads(network):
+    stakes, budget = Stakes(network), Budget(0.05)
+    one, two = (design_lines(network, stakes=stakes, budget=budget, width=6.0, threads=n) for n in (1, 2))
+    assert one.walls.geometry.geom_equals_exact(two.walls.geometry, 0).all()
