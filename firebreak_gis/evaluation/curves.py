@@ -182,8 +182,8 @@ def evaluate_fires(
         step = part(progress, i / len(priorities), (i + 1) / len(priorities), f"{name}: ")
         if isinstance(priority, ByBudget):
             same = replace(request, ignitions=resolved(network, request))
-            laid = (priority.breaks(float(budget)) for budget in budgets)
-            burnt = burn_each(ground or Ground(network), same, laid, n=len(budgets), threads=threads, progress=step)
+            laid = [priority.breaks(float(budget)) for budget in budgets]
+            burnt = burn_each(ground or Ground(network), same, laid, threads=threads, progress=step)
         elif callable(priority):
             plans = _plans(priority, budgets, part(step, 0.0, 0.5))
             later = part(step, 0.5, 1.0)

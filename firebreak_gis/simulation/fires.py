@@ -8,7 +8,7 @@ open edges with and without breaks, and neither the number of threads nor the or
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -350,22 +350,21 @@ def burn_budgets(
     if request.timeless and ground.weather is None and ground.barriers is None:
         burn_levels(ground.network, start, levels.ravel(), burnt, request, threads, progress)
     else:
-        same = replace(request, ignitions=start)
-        each = (levels < k for k in range(len(budgets)))
-        burnt = burn_each(ground, same, each, n=len(budgets), threads=threads, progress=progress)
+        plans = [levels < k for k in range(len(budgets))]
+        burnt = burn_each(ground, replace(request, ignitions=start), plans, threads=threads, progress=progress)
     return _curve(network, burnt, budgets, request.seed)
 
 
 def burn_each(
     ground: Ground,
     request: FireRequest,
-    plans: Iterable[np.ndarray | xr.DataArray | LineBreaks | None],
+    plans: Sequence[np.ndarray | xr.DataArray | LineBreaks | None],
     *,
-    n: int,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> np.ndarray:
-    """Cells burnt in every run under each of `n` plans by the same draws, (n_runs, n) int64."""
+    """Cells burnt in every run under each of n plans by the same draws, (n_runs, n) int64."""
+    n = len(plans)
     burnt = np.zeros((request.n_runs, n), np.int64)
     for k, breaks in enumerate(plans):
         burns = burn(
