@@ -364,8 +364,7 @@ def burn_each(
     progress: Progress | None = None,
 ) -> np.ndarray:
     """Cells burnt in every run under each of n plans by the same draws, (n_runs, n) int64."""
-    n = len(plans)
-    burnt = np.zeros((request.n_runs, n), np.int64)
+    burnt = np.zeros((request.n_runs, len(plans)), np.int64)
     for k, breaks in enumerate(plans):
         burns = burn(
             ground.network,
@@ -374,7 +373,7 @@ def burn_each(
             weather=ground.weather,
             barriers=ground.barriers,
             threads=threads,
-            progress=part(progress, k / n, (k + 1) / n),
+            progress=part(progress, k / len(plans), (k + 1) / len(plans)),
         )
         burnt[:, k] = burns["fire_size"]
     return burnt
