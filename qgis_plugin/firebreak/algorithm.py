@@ -188,7 +188,7 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
         """Return what the layers of this run have in common: runs of one form are told apart by ranking and time."""
         now = datetime.now().astimezone()
         rankings = [
-            translated(word).partition(":")[0]
+            translated(word).partition(":")[0].strip()  # French has a space before it
             for field in self._description.fields
             if field.option == "method"
             for choice, word in zip(field.choices, field.words)  # noqa: B905 - QGIS may run Python 3.9

@@ -84,6 +84,26 @@ def test_several_choices_are_ticked():
     assert made.parameterValue() == []
 
 
+def test_dialogs_of_qgis_give_the_engines_words(monkeypatch):
+    """The real dialogs: the form as it opens, one choice changed, and a row of a batch."""
+    from processing.gui import AlgorithmDialogBase, BatchPanel, ParametersPanel
+    from processing.gui.AlgorithmDialog import AlgorithmDialog
+    from processing.gui.BatchAlgorithmDialog import BatchAlgorithmDialog
+
+    for module in (AlgorithmDialogBase, BatchPanel, ParametersPanel):  # there is no window here to be part of
+        monkeypatch.setattr(module, "iface", None, raising=False)
+    dialog = AlgorithmDialog(form("plan"), False, None)
+    combo = next(c for c in dialog.findChildren(QComboBox) if c.findData("betweenness") >= 0)
+    combo.setCurrentIndex(combo.findData("betweenness"))
+    wrappers = dialog.mainWidget().wrappers
+    assert wrappers["METHOD"].parameterValue() == "betweenness"
+    assert wrappers["LEGEND"].parameterValue() == "paper"
+    batch = BatchAlgorithmDialog(form("compare"), None)
+    (row,) = batch.mainWidget().wrappers[:1]
+    (methods,) = [w for w in row if w is not None and w.parameterDefinition().name() == "METHODS"]
+    assert "bonacich" in methods.parameterValue()
+
+
 def test_the_modeler_keeps_its_own_widget_with_words_in_the_list():
     model = QgsProcessingModelAlgorithm()
     child = model.addChildAlgorithm(QgsProcessingModelChildAlgorithm("firebreak:plan"))

@@ -565,7 +565,7 @@
     </message>
     <message>
         <source>Dissection: walls between compartments by nested minimum cuts, those that save most for their cost first</source>
-        <translation>Διατομή: τοίχοι ανάμεσα σε διαμερίσματα με ένθετες ελάχιστες τομές, πρώτα όσοι σώζουν περισσότερα για το κόστος τους</translation>
+        <translation>Κατάτμηση: τοίχοι ανάμεσα σε διαμερίσματα με ένθετες ελάχιστες τομές, πρώτα όσοι σώζουν περισσότερα για το κόστος τους</translation>
     </message>
     <message>
         <source>Dominator: exact gain of cutting one cell, found anew after every few cuts</source>
