@@ -65,6 +65,27 @@ def budget(text: Any, _option: str = "") -> float | Budget:
         return Budget.of(str(text))
 
 
+def budget_per_year(text: Any, _option: str = "") -> Budget:
+    """Read how much a year affords; a plain number is a share."""
+    return Budget.of(str(text))
+
+
+def intervals(text: Any, _option: str = "") -> dict[str, float]:
+    """Read years until fuel has grown back."""
+    from firebreak_gis.construction.years import return_intervals
+
+    return return_intervals(str(text))
+
+
+def rate(text: Any, option: str) -> float:
+    """Read a rate: "3%" or 0.03."""
+    word = str(text).strip()
+    try:
+        return float(word[:-1]) / 100.0 if word.endswith("%") else float(word)
+    except ValueError:
+        raise ParameterError(f"{option} is {text!r}, expected a rate such as 3% or 0.03") from None
+
+
 def budget_list(text: Any, option: str) -> list[Budget]:
     """Split "5%,10%" or "5ha,10ha" into different budgets; plain numbers are shares.
 

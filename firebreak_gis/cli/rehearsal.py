@@ -158,6 +158,7 @@ def require_possible(request: PlanRequest) -> None:
     request.design.require_lines()
     plugins.build_params(plugins.load("ranking", request.design.method), request.design.method_params)
     request.spread.require()
+    request.require_calendar()
     request.weather.read()
     judging(request.fires, timed=True, timeless=request.timeless)
     named = {"ignitions": request.fires.ignitions, **request.stakes.layers}

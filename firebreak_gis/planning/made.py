@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from html import escape
 from typing import TYPE_CHECKING, Any
@@ -22,6 +22,7 @@ from firebreak_gis.planning.feasibility import Feasibility
 from firebreak_gis.planning.goals import goals_table
 from firebreak_gis.planning.judging import Judging, headline
 from firebreak_gis.planning.request import PlanRequest
+from firebreak_gis.planning.years import Losses, Years, over_years
 from firebreak_gis.schema import Shown, card
 from firebreak_gis.stakes import Stakes
 
@@ -71,6 +72,8 @@ class Plan(Shown):
         The walls, where breaks are lines; `breaks` are then the cells that they pass.
     objectives
         By name, what each fire loses of single values at risk, without and with the breaks, (n_runs,) each.
+    years
+        What is built when, and what burns then; None where all is built at once.
     """
 
     landscape: xr.Dataset
@@ -89,6 +92,7 @@ class Plan(Shown):
     treated: Treated | None = None
     objectives: Mapping[str, tuple[np.ndarray, np.ndarray]] = field(default_factory=dict)
     lines: LineDesign | None = None
+    years: Years | None = None
 
     def facts(self) -> dict[str, object]:
         """Ranking, cut, saving and grid, as `repr` shows them."""
@@ -179,6 +183,22 @@ class Plan(Shown):
             raise ParameterError("the breaks are cells, not lines; give line_width")
         return self.lines.walls.iloc[: self.lines.bought(self.request.design.amount)]
 
+    def over_years(self, losses: Losses) -> Plan:
+        """The same plan with its years, see `years.over_years`; itself where all is built at once."""
+        asked = self.request.calendar
+        if asked.years == 1:
+            return self
+        years = over_years(
+            asked,
+            self._segments.polygons,
+            self.landscape["vegetation"],
+            self.network,
+            losses,
+            budget=self.request.design.amount,
+            priced=self.stakes.priced or self.treated is not None,
+        )
+        return replace(self, years=years)
+
     @property
     def polygons(self) -> gpd.GeoDataFrame:
         """Connected pieces of the breaks, see `break_polygons` and `lines.line_polygons`."""
@@ -189,6 +209,11 @@ class Plan(Shown):
     @cached_property
     def segments(self) -> Segments:
         """Middle lines and outlines of what is to be built, in order, see `segments.segments`."""
+        made = self._segments
+        return made if self.years is None else Segments(*(frame.assign(**self.years.columns) for frame in made))
+
+    @cached_property
+    def _segments(self) -> Segments:
         if self.treated is not None:
             return self.treated.segments
         if self.lines is not None:
@@ -221,7 +246,8 @@ class Plan(Shown):
     @property
     def headline(self) -> list[str]:
         """What the plan saves, as sentences: first under the fires that were asked or assumed, then in the paper's."""
-        return headline(self.summary, self.judged)
+        told = headline(self.summary, self.judged)
+        return told if self.years is None else [*told, self.years.told, *self.request.calendar.assumptions]
 
     @cached_property
     def goals(self) -> pd.DataFrame:
@@ -332,6 +358,8 @@ class Plan(Shown):
             cell_area_ha=area,
             picks=resamples(after.size, self.request.fires.seed),
         )
+        if self.years is not None:
+            figures["years"] = self.years.table.replace({np.nan: None}).to_dict("records")
         figures["goals"] = self.goals.replace({np.nan: None}).to_dict("records")
         if self.request.design.method != "random":
             figures["p_value_against_random"] = float(chosen["p_value"])

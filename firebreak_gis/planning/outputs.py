@@ -55,6 +55,13 @@ def _evaluation(result: xr.Dataset) -> pd.DataFrame:
     return table(result)
 
 
+def _years(plan: Plan) -> pd.DataFrame:
+    """A row a year; none where all is built at once."""
+    import pandas as pd
+
+    return pd.DataFrame(columns=["year"]) if plan.years is None else plan.years.table
+
+
 def _breaks(plan: Plan, path: Path, how: Writing) -> None:
     write_breaks(path, plan.polygons, overwrite=how.overwrite, forbid=how.forbid)
 
@@ -138,6 +145,7 @@ OUTPUTS: tuple[Output[Plan], ...] = (
     Output("segments.gpkg", "Segments to build, in order", _segments, main=True),
     Output("compartments.gpkg", "Compartments between the breaks", _compartments, main=True),
     _table("goals.csv", "What the plan does for its goal and for all others", lambda plan: plan.goals),
+    _table("years.csv", "What is built, kept up and burnt in each year", _years),
     _table("fire_sizes.csv", "Size of every fire without and with the breaks", lambda plan: plan.fire_sizes),
     _table("evaluation.csv", "Burnt share at every budget", lambda plan: _evaluation(plan.evaluation)),
     _table("evaluation_runs.csv", "Cells burnt in every run of it", _evaluation_runs),

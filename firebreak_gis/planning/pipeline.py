@@ -24,6 +24,7 @@ from firebreak_gis.planning.request import DesignRequest, PlanRequest
 from firebreak_gis.planning.timing import Estimate, fire_seconds, ranking_seconds
 from firebreak_gis.planning.treating import offers_of, priced, treat
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
+from firebreak_gis.planning.years import YearsRequest
 from firebreak_gis.progress import Progress, in_proportion, part
 from firebreak_gis.ranking import rank
 from firebreak_gis.simulation.containment import as_containment
@@ -75,6 +76,7 @@ def plan(
     refine: bool = False,
     goal: Goal = "mean",
     line_width: float | None = None,
+    years: YearsRequest | None = None,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
     ignitions_outside: Outside = "refuse",
@@ -131,6 +133,8 @@ def plan(
     line_width
         Width of breaks that are lines in place of whole cells [m], which the method `dissection` then plans; the budget
         counts length times width.
+    years
+        Over how many years the plan is built and kept up, see `years.YearsRequest`; default: all at once.
     ignitions, ignition_mode, n_runs, seed, threads, progress
         As in `simulate`; without `ignitions` fires start by `ignition`. No method designs its plan with these fires.
     ignitions_outside
@@ -181,6 +185,7 @@ def plan(
         ),
         weather=WeatherRequest(weather),
         timeless=timeless,
+        calendar=years or YearsRequest(),
     )
     planes = StakePlanes(barriers=barriers, cost=cost, protected=protected, value=value, ignition=ignition)
     return make_plan(landscape, request, planes, threads=threads, checked=checked, progress=progress)
@@ -215,6 +220,7 @@ def make_plan(
     asked.require_lines()
     account = Account()
     request.require_one_residual()
+    request.require_calendar()
     scene = Scene.of(landscape, request.spread, request.weather.read(), account)
     landscape = account.added_to(landscape)
     offers = None if asked.treatments is None else offers_of(landscape, asked.treatments, scene.network)
@@ -347,7 +353,7 @@ def make_plan(
             threads=threads,
             progress=part(progress, *spans["curve"], "evaluate with a clock: "),
         )
-    return Plan(
+    made = Plan(
         landscape,
         network,
         stakes,
@@ -365,6 +371,13 @@ def make_plan(
         objectives,
         lines,
     )
+
+    def taken(cut: np.ndarray) -> tuple[float, float]:
+        run = burnt(value=value, breaks=cut if cut.any() else None, progress=part(progress, 1.0, 1.0, "years: "))
+        lost = np.nan if value is None else float(run["value_lost"].mean())
+        return float(run["fire_size"].mean()) * network.grid.cell_area_ha, lost
+
+    return made.over_years(taken)
 
 
 #: Shares of the time that the steps take where nobody looks.

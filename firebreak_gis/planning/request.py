@@ -22,6 +22,7 @@ from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.planning.goals import Goal
 from firebreak_gis.planning.line_design import line_params
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
+from firebreak_gis.planning.years import YearsRequest
 from firebreak_gis.simulation.request import FireRequest
 
 
@@ -103,6 +104,8 @@ class PlanRequest:
     timeless
         Whether the fires have no clock and the breaks hold, as in the paper, unless `fires` says otherwise; else what
         `fires` leaves open is assumed, see `judging`.
+    calendar
+        Over how many years it is built and kept up.
     layers, output
         What is read and written; None where the landscape is at hand, and the plan stays in memory.
     """
@@ -113,8 +116,21 @@ class PlanRequest:
     stakes: StakesRequest = field(default_factory=StakesRequest)
     weather: WeatherRequest = field(default_factory=WeatherRequest)
     timeless: bool = False
+    calendar: YearsRequest = field(default_factory=YearsRequest)
     layers: LandscapeRequest | None = None
     output: OutputRequest | None = None
+
+    def require_calendar(self) -> None:
+        """Refuse years that cannot be, or that these breaks cannot have.
+
+        Raises
+        ------
+        ParameterError
+            Naming what is wrong.
+        """
+        self.calendar.require()
+        if self.calendar.years > 1 and self.design.line_width is not None:
+            raise ParameterError("--years schedules breaks of whole cells; leave --years or --line-width out")
 
     def require_one_residual(self) -> None:
         """Refuse a residual beside a table of treatments.

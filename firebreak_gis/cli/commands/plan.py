@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, stakes_options, weather_options
+from firebreak_gis.cli import (
+    filters,
+    fire_options,
+    kinds,
+    options,
+    outputs,
+    stakes_options,
+    weather_options,
+    years_options,
+)
 from firebreak_gis.cli.layers import input_files, read_layers, read_stakes
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
 from firebreak_gis.cli.requests import built
@@ -19,6 +28,7 @@ from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.planning.outputs import OUTPUTS, write_plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
+from firebreak_gis.planning.years import YearsRequest
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
@@ -58,6 +68,7 @@ STEP = 1
     "default: each segment gets the one that saves most for its cost, a budget in cost is what they cost, and fires "
     "burn with what they leave [default: all segments alike, by --residual].",
 )
+@years_options.calendar
 @stakes_options.stakes
 @filters.where
 @options.fires
@@ -75,6 +86,7 @@ STEP = 1
     fires=FireRequest,
     weather=WeatherRequest,
     at_stake=StakesRequest,
+    calendar=YearsRequest,
 )
 def command(
     session: Session,
@@ -87,6 +99,7 @@ def command(
     fires: FireRequest,
     weather: WeatherRequest,
     at_stake: StakesRequest,
+    calendar: YearsRequest,
     timeless: bool,
 ) -> None:
     """Plan fire breaks: DEM, VEGETATION and DENSITY rasters in, breaks and burn maps out.
@@ -100,7 +113,7 @@ def command(
     from firebreak_gis.planning.pipeline import make_plan
     from firebreak_gis.progress import part
 
-    request = PlanRequest(design, spread, fires, at_stake, weather, timeless, layers, output)
+    request = PlanRequest(design, spread, fires, at_stake, weather, timeless, calendar, layers, output)
     require_possible(request)
     inputs = input_files(request.sources)
     how = require_outputs(output, OUTPUTS, inputs)

@@ -56,6 +56,7 @@ def render(page: Page) -> str:
         "segments": _table("segments", page.segments) if page.segments else "",
         "comparison": _table("comparison", page.comparison) if page.comparison else "",
         "goals": _table("goals", page.goals) if page.goals else "",
+        "years": _table("years", page.years) if page.years else "",
         "files": _files(page.files),
         "provenance": _provenance(page.provenance),
         "data": _json(page.for_map()),
@@ -189,7 +190,12 @@ def _round_up(share: float) -> float:
 
 def _table(kind: str, rows: Sequence[Row]) -> str:
     """A table whose columns sort; of segments each row leads to the map."""
-    titles = {"segments": "What to build", "comparison": "Plans side by side", "goals": "What it does for every goal"}
+    titles = {
+        "segments": "What to build",
+        "comparison": "Plans side by side",
+        "goals": "What it does for every goal",
+        "years": "Year by year",
+    }
     columns = list(rows[0].cells)
     numeric = {name for name in columns if all(isinstance(r.cells[name], int | float | None) for r in rows)}
     head = "".join(

@@ -132,7 +132,7 @@ class Page:
         Layers of the map, lowest first.
     curve
         Burnt share against share cut.
-    segments, comparison, goals
+    segments, comparison, goals, years
         Rows of tables.
     files
         Name and label of the files beside the page.
@@ -153,6 +153,7 @@ class Page:
     segments: Sequence[Row] = ()
     comparison: Sequence[Row] = ()
     goals: Sequence[Row] = ()
+    years: Sequence[Row] = ()
     files: Sequence[tuple[str, str]] = ()
     provenance: Sequence[tuple[str, str]] = ()
 

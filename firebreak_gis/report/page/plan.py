@@ -56,6 +56,7 @@ def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
         curve=_curve(parts.get("evaluation.csv"), account),
         segments=_segments(parts.get("segments.gpkg")),
         goals=_goals(summary.get("goals", ())),
+        years=_years(summary.get("years", ())),
         files=tuple((name, label) for name, label in account.get("files", ()) if name != "report.html"),
         provenance=_provenance(account),
     )
@@ -280,6 +281,22 @@ def _segments(frame: gpd.GeoDataFrame | None) -> tuple[Row, ...]:
         place = tuple(math.inf if value is None else value for value in when.values())
         rows.append(((*place, row["order"]), Row(cells, decimals, summed, number, group)))
     return tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
+
+
+def _years(rows: Sequence[Mapping[str, Any]]) -> tuple[Row, ...]:
+    names = {
+        "year": "Year",
+        "built_ha": "Built [ha]",
+        "standing_ha": "Standing [ha]",
+        "spent_building": "Spent on building",
+        "spent_upkeep": "Spent on upkeep",
+        "burnt_ha": "Burnt [ha]",
+        "value_lost": "Value lost",
+        "saved_ha": "Saved [ha]",
+    }
+    decimals = {text: 1 for name, text in names.items() if name != "year"}
+    summed = frozenset(text for name, text in names.items() if name not in ("year", "standing_ha"))
+    return tuple(Row({text: row[name] for name, text in names.items()}, decimals, summed) for row in rows)
 
 
 def _goals(rows: Sequence[Mapping[str, Any]]) -> tuple[Row, ...]:
