@@ -12,6 +12,22 @@ from firebreak_gis.cli import kinds
 F = TypeVar("F", bound=Callable[..., Any])
 
 
+fires_per_year = click.option(
+    "--fires-per-year",
+    type=float,
+    default=1.0,
+    show_default=True,
+    help="Number of fires that start in a year.",
+)
+return_interval = click.option(
+    "--return-interval",
+    type=kinds.INTERVALS,
+    metavar="YEARS",
+    help="Years until treated fuel has grown back: 4, or agricultural=3,shrubs=4,pines=8 [default: those of "
+    "--treatments, or agricultural=3,shrubs=4,pines=4, an assumption].",
+)
+
+
 def calendar(command: F) -> F:
     """--years, --budget-per-year, --fires-per-year, --discount, --return-interval, --upkeep-cost."""
     options = [
@@ -29,13 +45,7 @@ def calendar(command: F) -> F:
             help="What each year affords for upkeep, which is paid first, and building: 500ha, 20000eur or a share "
             "[default: what all breaks cost, over the years].",
         ),
-        click.option(
-            "--fires-per-year",
-            type=float,
-            default=1.0,
-            show_default=True,
-            help="Number of fires that start in a year.",
-        ),
+        fires_per_year,
         click.option(
             "--discount",
             type=kinds.RATE,
@@ -44,13 +54,7 @@ def calendar(command: F) -> F:
             metavar="RATE",
             help="Rate a year, such as 3%, at which later costs and losses count less.",
         ),
-        click.option(
-            "--return-interval",
-            type=kinds.INTERVALS,
-            metavar="YEARS",
-            help="Years until treated fuel has grown back: 4, or agricultural=3,shrubs=4,pines=8 [default: those of "
-            "--treatments, or agricultural=3,shrubs=4,pines=4, an assumption].",
-        ),
+        return_interval,
         click.option(
             "--upkeep-cost",
             type=kinds.SHARE_OF_RUNS,

@@ -38,7 +38,8 @@ class Assessment(NamedTuple):
         One row a break: `rank`, `number` (in the order of the source, from 1), `length_m`, `cells` (with fuel),
         `worth_ha` (saved in the mean fire beside all others) and `alone_ha` (saved alone), each with `_low` and
         `_high`, the ends of its 95 % interval, `worth_per_km`, and `random_ha`: the mean of what it saves alone at
-        random places.
+        random places. `upkeep_ha`, hectares to treat anew every year, and `keep`: whether the whole interval of what it
+        is worth in the fires of a year lies above that (`yes`), below it (`no`) or neither (`unsure`).
     gaps
         One row a gap: `rank`, `from_break`, `to_break` (numbers; 0 for ground without fuel), `length_m`, `cells`,
         `saved_ha` with `_low` and `_high`, `saved_per_km`, and `random_per_km`: of the same line at random places.
@@ -63,6 +64,8 @@ def assess(
     longest_gap: float = 500.0,
     most_gaps: int = 40,
     placements: int = 3,
+    upkeep: np.ndarray | None = None,
+    fires_per_year: float = 1.0,
     seed: int = 0,
     progress: Progress | None = None,
 ) -> Assessment:
@@ -80,6 +83,10 @@ def assess(
         Length of the longest gap [m], and how many are looked at, the shortest.
     placements
         Random places of each break and gap, for the null model; 0: none, and its columns are NaN.
+    upkeep
+        (rows, cols) share of each cell that must be treated anew every year for a break to stay one; None: not told.
+    fires_per_year
+        Fires that start in a year.
     seed
         Of the places and of the bootstrap.
     progress
@@ -103,10 +110,10 @@ def assess(
     >>> len(found.breaks) == len(roads.cells), found.burnt_ha <= found.burnt_bare_ha
     (True, True)
     """
-    if longest_gap < 0 or most_gaps < 0 or placements < 0:
+    if not (longest_gap >= 0 and most_gaps >= 0 and placements >= 0 and 0 <= fires_per_year < np.inf):
         raise ParameterError(
-            f"the longest gap is {longest_gap:g} m, {most_gaps} gaps are asked and {placements} placements, expected "
-            "numbers of at least 0"
+            f"the longest gap is {longest_gap:g} m, {most_gaps} gaps, {placements} placements and {fires_per_year:g} "
+            "fires a year are asked, expected numbers of at least 0"
         )
     fuel = network.burnable.ravel()
     own = [cells[fuel[cells]] for cells in existing.cells]
@@ -146,6 +153,11 @@ def assess(
             }
         )
     breaks = _ranked(existing.frame, {"length_m": existing.lengths}, rows, "worth_ha")
+    if upkeep is not None:
+        area = [float(upkeep.ravel()[own[k]].sum()) * network.grid.cell_area_ha for k in breaks["number"] - 1]
+        breaks["upkeep_ha"] = area
+        low, high = (fires_per_year * breaks[f"worth_ha_{end}"].to_numpy() for end in ("low", "high"))
+        breaks["keep"] = np.select([low > area, high < area], ["yes", "no"], "unsure")
     breaks["worth_per_km"] = breaks["worth_ha"] / np.maximum(breaks["length_m"] / 1000.0, 1e-9)
     numbers = {
         "from_break": gaps.frame["from_break"].to_numpy() + 1,
@@ -231,6 +243,14 @@ def told(found: Assessment) -> list[str]:
         + ("" if np.isnan(first["random_ha"]) else f", at random places {first['random_ha']:,.3g} ha")
         + f". For {sure} of {len(found.breaks)} breaks the interval lies above 0."
     )
+    if "keep" in found.breaks:
+        dropped = found.breaks.loc[found.breaks["keep"] == "no", "number"].tolist()
+        kept = int((found.breaks["keep"] == "yes").sum())
+        sentences.append(
+            f"{kept} are worth their upkeep"
+            + (f"; {len(dropped)} cost more than they save: {', '.join(map(str, dropped))}" if dropped else "")
+            + f"; of {len(found.breaks) - kept - len(dropped)} these fires do not tell."
+        )
     if not len(found.gaps):
         sentences.append("No gap was found at a loose end.")
         return sentences

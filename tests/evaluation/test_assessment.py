@@ -114,6 +114,24 @@ def test_the_hole_in_the_wall_is_the_gap_that_matters_most():
     assert "from break 1 to break 2 over 80 m" in told(found)[2]
 
 
+def test_a_break_is_kept_if_it_saves_more_than_must_be_treated_anew():
+    """One of two breaks saves nothing, and the fires of a year decide for the other."""
+    weight = np.zeros((12, *SHAPE))
+    weight[:, 5] = 1.0
+
+    def burnt(cut, progress):
+        return (weight * ~cut).sum(axis=(1, 2))
+
+    two = standing(lines(line((5, 3), (5, 9)), line((15, 3), (15, 9))))
+    rates = np.full(SHAPE, 0.25)
+    for fires, kept in ((1.0, ["yes", "no"]), (0.2, ["no", "no"])):
+        found = assess(network(), two, burnt, longest_gap=0.0, placements=0, upkeep=rates, fires_per_year=fires)
+        by_number = found.breaks.set_index("number")
+        assert by_number.loc[[1, 2], "keep"].tolist() == kept
+        assert by_number.loc[[1, 2], "upkeep_ha"].tolist() == pytest.approx([7 * GRID.cell_area_ha / 4] * 2)
+    assert "2 cost more than they save" in told(found)[2]
+
+
 def test_gaps_start_at_loose_ends_alone():
     burnable = np.ones(SHAPE, bool)
     burnable[:, 28:] = False

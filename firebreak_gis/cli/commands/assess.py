@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, weather_options
+from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, weather_options, years_options
 from firebreak_gis.cli.layers import checked_fires, input_files, tell
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built
@@ -20,7 +20,7 @@ from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
-    import numpy as np
+    from collections.abc import Mapping
 
     from firebreak_gis.evaluation.assessment import Assessment
     from firebreak_gis.progress import Progress
@@ -114,6 +114,8 @@ OUTPUTS: tuple[Output[_Assessed], ...] = (
     show_default=True,
     help="Number of random places at which each break and gap is tried as well, to compare with; 0 leaves them out.",
 )
+@years_options.fires_per_year
+@years_options.return_interval
 @options.residual
 @options.fires
 @fire_options.judging
@@ -136,6 +138,8 @@ def command(
     longest_gap: float,
     most_gaps: int,
     placements: int,
+    fires_per_year: float,
+    return_interval: Mapping[str, float] | None,
 ) -> None:
     """Judge the existing BREAKS on NETWORK: what each is worth, and which gap matters most.
 
@@ -143,8 +147,12 @@ def command(
     breaks. BREAKS are lines or polygons, each a break, or a raster, of which each connected piece is one.
 
     The same fires burn with all breaks, without each of them, and with each gap closed; so differences are the work of
-    the break alone, with 95 % intervals. The same break at random places stands beside it.
+    the break alone, with 95 % intervals. The same break at random places stands beside it. A break is worth its upkeep
+    if it saves more hectares a year than must be treated anew.
     """
+    import numpy as np
+
+    from firebreak_gis.construction.years import RETURN, upkeep_rates
     from firebreak_gis.evaluation.assessment import assess, told
     from firebreak_gis.files.outputs import write_all
     from firebreak_gis.landscape.existing import existing_breaks
@@ -173,6 +181,9 @@ def command(
         ].to_numpy()
         return sizes
 
+    # A network does not tell its vegetation: shrubs, unless one number is given for all.
+    codes = np.full(scene.network.shape, 2) if scene.landscape is None else scene.landscape["vegetation"].to_numpy()
+    intervals = return_interval or RETURN
     found = assess(
         scene.network,
         existing,
@@ -180,12 +191,16 @@ def command(
         longest_gap=longest_gap,
         most_gaps=most_gaps,
         placements=placements,
+        upkeep=upkeep_rates(codes, intervals),
+        fires_per_year=fires_per_year,
         seed=fires.seed,
         progress=part(session.progress, 0.05, 0.97),
     )
     headline = told(found)
+    each = ", ".join(f"{name} {years:g}" for name, years in intervals.items())
+    known = f"{fires_per_year:g} fires a year; years until treated fuel has grown back: {each}."
     about = {
-        "assumptions": list(judged.assumptions),
+        "assumptions": [*judged.assumptions, known],
         "alignment": laid.alignment,
         "warnings": [*laid.warnings, *judged.notes],
     }
@@ -194,7 +209,7 @@ def command(
         ["rank", "number", "length_m", "worth_ha", "worth_ha_low", "worth_ha_high", "random_ha"]
     ]
     session.finish(
-        {"files": files, "headline": headline, "assumptions": judged.assumptions},
-        f"{chr(10).join(headline)}\n{' '.join(judged.assumptions)}\n"
+        {"files": files, "headline": headline, "assumptions": about["assumptions"]},
+        f"{chr(10).join(headline)}\n{' '.join(about['assumptions'])}\n"
         f"{shown.to_string(index=False, float_format='%.4g')}\nwritten to {output.output}",
     )
