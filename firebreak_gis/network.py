@@ -134,7 +134,7 @@ class SpreadNetwork(Shown):
             "fuel": f"{self.n_burnable:,} cells",
             "grid": self.grid.describe(),
             "boundary": self.boundary,
-            "times": ("no", "yes")[self.timed],
+            "travel times": ("no", "yes")[self.timed],
         }
 
     @property
@@ -307,7 +307,7 @@ class SpreadNetwork(Shown):
         source, target, d = self._edges()
         n_cells = self.burnable.size
         weights = self.probability.reshape(8, n_cells)[d, source].astype(np.float64)
-        kind = np.int32 if n_cells < 2**31 else np.int64  # scipy's graphs before 1.12 know no longer numbers
+        kind = np.int32 if n_cells < 2**31 else np.int64  # scipy's graphs know no longer numbers
         return scipy.sparse.csr_array((weights, (source.astype(kind), target.astype(kind))), shape=(n_cells, n_cells))
 
     def to_networkx(self) -> nx.DiGraph:

@@ -466,8 +466,9 @@ def test_repr_is_one_short_line_that_tells_networks_apart():
     text = repr(plain)
     assert len(text) < 200
     assert "\n" not in text
-    assert f"{plain.n_burnable} cells" in text
+    assert f"{plain.n_burnable:,} cells" in text
     assert "30 x 40" in text
     assert "periodic" in repr(SpreadNetwork(grid, boundary="periodic"))
-    assert "travel times" in repr(SpreadNetwork(grid, travel_time=np.full(grid.shape, 60.0)))
+    assert "travel times no" in text
+    assert "travel times yes" in repr(SpreadNetwork(grid, travel_time=np.full(grid.shape, 60.0)))
     assert "EPSG:32635" in repr(SpreadNetwork(grid, crs="EPSG:32635"))

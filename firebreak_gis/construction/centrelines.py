@@ -286,7 +286,7 @@ def _stretches(one: np.ndarray, other: np.ndarray, ends: np.ndarray) -> tuple[np
     _, pair = np.unique(pairs, axis=0, return_inverse=True)
     points = np.column_stack([np.repeat(pair.ravel(), 2), ends.reshape(-1, 2)])
     _, node = np.unique(points, axis=0, return_inverse=True)
-    node = node.reshape(-1, 2).astype(np.int32)  # before scipy 1.12 its graphs know no other numbers
+    node = node.reshape(-1, 2).astype(np.int32)  # scipy's graphs know no longer numbers
     n = int(node.max()) + 1
     _, part = connected_components(sp.coo_array((np.ones(len(node)), (node[:, 0], node[:, 1])), (n, n)), directed=False)
     # Nodes are sorted by pair and place, so parts numbered by their first node are too.

@@ -78,10 +78,10 @@ def read_frame(source: str, target: CRS, notes: list[str]) -> tuple[str, gpd.Geo
                 _require_whole(place, chosen, frame)
     except InputError:
         raise
-    except FeatureError as error:
-        text = str(error).replace(place, "the file")[-160:]
-        raise InputError(f"{name}: the filter {asked.where!r} does not work: {text}") from error
-    except (DataSourceError, DataLayerError, ShapelyError, OSError, ValueError) as error:
+    except (FeatureError, DataSourceError, DataLayerError, ShapelyError, OSError, ValueError) as error:
+        if isinstance(error, FeatureError) or (asked.where and "SQL" in str(error)):  # pyogrio up to 0.11 says so
+            text = str(error).replace(place, "the file")[-160:]
+            raise InputError(f"{name}: the filter {asked.where!r} does not work: {text}") from error
         if asked_for_network(error):
             raise InputError(f"{name} describes data on a server; download them first") from error
         text = str(error).replace(place, "the file")[:120]

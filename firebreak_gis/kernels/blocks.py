@@ -52,7 +52,7 @@ def grid_matrix(planes: np.ndarray, boundary: str, weights: np.ndarray | None = 
     inside = (to_row >= 0) & (to_row < rows) & (to_col >= 0) & (to_col < cols)
     values = planes[d, row, col].astype(np.float64)
     values = (values if weights is None else values * weights[d])[inside]
-    # Before scipy 1.12 its graphs know no longer numbers.
+    # scipy's graphs know no longer numbers.
     source, target = ((r * cols + c)[inside].astype(np.int32) for r, c in ((row, col), (to_row, to_col)))
     return sp.csr_array((values, (source, target)), shape=(rows * cols, rows * cols))
 
