@@ -61,7 +61,7 @@ def clock(command: F, *, default: str = "until they end by themselves") -> F:
 
 
 def holding(command: F, *, default: str = "always") -> F:
-    """--hold and --barriers-hold."""
+    """--hold, --barriers-hold, and the crews that breaks wait for: --stations, --roads, --crew-travel."""
     return _apply(
         [
             click.option(
@@ -78,6 +78,26 @@ def holding(command: F, *, default: str = "always") -> F:
                 default=1.0,
                 show_default=True,
                 help="Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.",
+            ),
+            click.option(
+                "--stations",
+                type=kinds.VECTOR_OR_RASTER,
+                metavar="PATH",
+                help="Points or areas that crews set out from: a stretch of break holds only against fire that comes "
+                "after them [default: crews are everywhere].",
+            ),
+            click.option(
+                "--roads",
+                type=kinds.VECTOR_OR_RASTER,
+                metavar="PATH",
+                help="Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].",
+            ),
+            click.option(
+                "--crew-travel",
+                type=kinds.TRAVEL,
+                metavar="NAME=VALUE,...",
+                help="How they travel: speed on roads and off them in km/h, and minutes from the start of the fire "
+                "until they leave [default: road=40,off=3,delay=10, assumptions].",
             ),
         ],
         command,

@@ -331,6 +331,13 @@ def embers(text: Any, option: str) -> Any:
     return as_embers(text, option)
 
 
+def travel(text: Any, option: str) -> Any:
+    """Read how crews travel, see `simulation.stations`."""
+    from firebreak_gis.simulation.stations import as_travel
+
+    return as_travel(text, option)
+
+
 def share(text: Any, option: str) -> float:
     """Read a share from 0 to 1."""
     try:

@@ -21,7 +21,7 @@ from firebreak_gis.kernels.percolation import Steps, number
 from firebreak_gis.kernels.policy import kernel
 from firebreak_gis.kernels.prefetch import prefetch
 from firebreak_gis.kernels.tally import Tally, add_run
-from firebreak_gis.kernels.walls import Walls, held_back, kept, stands
+from firebreak_gis.kernels.walls import Walls, held_back, kept, manned, stands
 
 #: Arrival at a cell that the fire has not reached.
 UNSEEN = np.uint64(0xFFFFFFFFFFFFFFFF)
@@ -30,6 +30,7 @@ ENDLESS = 1 << 62
 
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
+_SEVEN = np.uint64(7)
 _EIGHT = np.uint64(8)
 #: Above the error of the sums of shares, far below a second.
 _ROUNDING = 1e-6
@@ -196,6 +197,7 @@ def _burn(
     size_of_ring = np.uint64(heads.size - 1)
     ring = size_of_ring - _ONE
     limit = starts.limit[run]
+    awaited = walls.crews.size > 0
     walled, throws, periodic = near.size > 0, embers.mean.size > 0, positions.size > 0
     stride = np.uint64(seconds.size // (ends.size + 1))
     a_cell = _EIGHT if stride > _EIGHT else _ZERO  # times of an edge from one cell to the next
@@ -220,7 +222,7 @@ def _burn(
                 targets[0] = cell
                 times[0] = lit_at[lit]
                 found = 1
-                if walled and kept(walls, cell) == 0.0 and stands(walls, run, cell):
+                if walled and kept(walls, cell) == 0.0 and stands(walls, run, cell) and manned(walls, cell, times[0]):
                     found = 0
             lit += 1
         else:
@@ -260,8 +262,11 @@ def _burn(
             position = np.uint8(0)
             if periodic:
                 position = positions[cell]
+            passing = opened
             if walled and near[cell]:
-                opened = held_back(walls, run, key, steps, position, cell, opened)
+                passing = held_back(walls, run, key, steps, position, cell, opened)
+                if not awaited:
+                    opened = passing
             while step < ends.size and t >= ends[step]:
                 step += 1
             while step > 0 and t < ends[step - 1]:
@@ -274,6 +279,9 @@ def _burn(
                 times[found] = t + np.uint64(seconds[edge])
                 if ends.size > 0:
                     times[found] = _across(seconds, ends, step, edge, stride, t)
+                shut = (passing >> (_EIGHT * d + _SEVEN)) & _ONE == _ZERO
+                if awaited and shut and manned(walls, targets[found], times[found]):
+                    continue
                 found += 1
             if throws:
                 found = _throw(embers, walls, run, step, cell, t, steps, targets, times, found)
@@ -329,7 +337,7 @@ def _throw(
 ) -> int:
     """Add what the embers of a cell light; return how many things the cell lights in all."""
     walled = walls.near.size > 0
-    if not (walled and stands(walls, run, cell)):
+    if not (walled and stands(walls, run, cell) and manned(walls, cell, t)):
         cols = int(steps.offsets[0, 4])
         rows = embers.catches.size // cols
         here = number(steps, cell)
@@ -337,10 +345,13 @@ def _throw(
             target = flying.landing(embers, run, step, cell, here, k, rows, cols, steps.position.size > 0)
             if target != flying.NOWHERE:
                 share = 1.0
+                when = _ZERO
                 if walled and stands(walls, run, target):
-                    share = kept(walls, target)
+                    when = t + flying.smoulders(embers, run, here, k)
+                    if manned(walls, target, when):
+                        share = kept(walls, target)
                 if flying.lights(embers, run, here, k, target, share):
                     targets[found] = target
-                    times[found] = t + flying.smoulders(embers, run, here, k)
+                    times[found] = when if when > _ZERO else t + flying.smoulders(embers, run, here, k)
                     found += 1
     return found

@@ -34,6 +34,8 @@ class Walls(NamedTuple):
         (n_cells,) uint8: bit d set where a line crosses the link in direction d; empty without lines.
     line_holds
         (n_cells,) uint32: as `holds`, of the lines across the links to cells of a higher number.
+    crews
+        (n_cells,) uint64 [s]: nothing holds against fire that comes to the cell before; empty if crews are everywhere.
     """
 
     near: np.ndarray
@@ -44,6 +46,7 @@ class Walls(NamedTuple):
     probability: np.ndarray
     crossed: np.ndarray
     line_holds: np.ndarray
+    crews: np.ndarray
 
 
 @inlined
@@ -55,6 +58,12 @@ def stands(walls: Walls, run: int, cell: np.uint64) -> bool:
         draw = word(walls.keys[run], np.uint64(walls.stretch[cell])) >> np.uint64(32)
         result = below(draw, threshold)
     return result
+
+
+@inlined
+def manned(walls: Walls, cell: np.uint64, t: np.uint64) -> bool:
+    """Whether crews are at a cell before fire that comes at t [s]."""
+    return walls.crews.size == 0 or t >= walls.crews[cell]
 
 
 @inlined
@@ -82,7 +91,7 @@ def held_back(
     """What is left of the open edges of a cell once the breaks beside it have done their work.
 
     The probability of an edge into a cell that holds, or across a line that does, is multiplied by what the cell keeps;
-    the draw stays the same.
+    the draw stays the same. Crews are taken to be there.
     """
     for d in range(8):
         bit = np.uint64(8 * d + 7)

@@ -88,8 +88,9 @@ class Judging:
     def short(self) -> str:
         """The fires, the weather and the breaks in a few words."""
         fires = "until they end by themselves" if self.fires.duration is None else self.fires.duration.told()
+        way = "" if self.fires.called is None else "where crews come before the fire"
         crews = "" if self.fires.crews is None else self.fires.crews.told()
-        return "; ".join(filter(None, (f"fires burn {fires}", crews, self.sky, self.fires.holding.told())))
+        return "; ".join(filter(None, (f"fires burn {fires}", crews, self.sky, self.fires.holding.told(), way)))
 
     @property
     def paper(self) -> FireRequest:
@@ -133,7 +134,7 @@ def judging(
         If fires without a clock are to have a duration, embers or crews.
     """
     if timeless:
-        for option in ("duration", "embers", "containment"):
+        for option in ("duration", "embers", "containment", "stations"):
             if getattr(fires, option) is not None:
                 raise ParameterError(f"--timeless asks for fires without a clock; leave --{option} out")
     notes: list[str] = []
@@ -241,7 +242,7 @@ class Scene:
         """Decide what plans are judged by, see `judging`."""
         timed = self.network.timed or (self.landscape is not None and self._takes_clock)
         if fires.needs_times and not timed:
-            self.network.require_times("a duration, embers or hold by flames")
+            self.network.require_times("a duration, embers, hold by flames, or crews that travel")
         return judging(fires, timed=timed, timeless=timeless, weather=self.weather, wind=self.wind)
 
     def ground(self, judged: Judging, barred: SpreadNetwork, barriers: np.ndarray | xr.DataArray | None) -> Ground:

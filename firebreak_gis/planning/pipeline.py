@@ -35,6 +35,7 @@ from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.ignitions import Ignitions
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode, Outside
+from firebreak_gis.simulation.stations import as_travel
 from firebreak_gis.stakes import StakePlanes, Stakes
 
 if TYPE_CHECKING:
@@ -72,6 +73,9 @@ def plan(
     weather: Any = None,
     embers: Any = None,
     containment: Any = None,
+    stations: Any = None,
+    roads: Any = None,
+    crew_travel: Any = None,
     timeless: bool = False,
     refine: bool = False,
     goal: Goal = "mean",
@@ -118,6 +122,8 @@ def plan(
         How often a stretch of break holds, how long fires burn, whether embers fly, and when crews contain fires, as in
         `simulate`. Where nothing is said fires burn 8 h in the median and breaks hold in 0.47 of fires
         (`judging.ASSUMED_DURATION`, `ASSUMED_HOLD`), which `Plan.judged` names.
+    stations, roads, crew_travel
+        Crews whom breaks wait for, as in `simulate`. No design knows them.
     barriers_hold
         How often a stretch of the barriers holds.
     weather
@@ -182,6 +188,9 @@ def plan(
             embers=as_embers(embers),
             containment=as_containment(containment),
             ignitions_outside=ignitions_outside,
+            stations=stations,
+            roads=roads,
+            crew_travel=None if crew_travel is None else as_travel(crew_travel),
         ),
         weather=WeatherRequest(weather),
         timeless=timeless,

@@ -5,7 +5,8 @@ asked for, and how soon it comes has no universal source: all times and limits h
 are assumptions. That direct attack fails above 4,000 kW/m, flames of 3.5 m, is a rule of practice; Hirsch and Martell
 1996, "A review of initial attack fire crew productivity and effectiveness", tell where such rules come from.
 
-Where crews are and how they drive is not known here: that a break holds only if crews reach it in time is left out.
+Where crews are and how they drive is not known here; that a break holds only if crews reach it in time is a matter of
+`stations`.
 """
 
 from __future__ import annotations

@@ -26,6 +26,7 @@ from firebreak_gis.simulation.holding import as_hold, strongest
 from firebreak_gis.simulation.ignitions import IgnitionMode, Ignitions, resolve_ignitions
 from firebreak_gis.simulation.products import Products, product_maps
 from firebreak_gis.simulation.request import FireRequest
+from firebreak_gis.simulation.stations import as_travel
 from firebreak_gis.simulation.timed import Group, burn_timed
 from firebreak_gis.simulation.timeless import burn_all, burn_levels
 from firebreak_gis.stakes import checked_amounts
@@ -55,6 +56,9 @@ def simulate(
     embers: Any = None,
     containment: Any = None,
     hold: Any = None,
+    stations: Any = None,
+    roads: Any = None,
+    crew_travel: Any = None,
     barriers: np.ndarray | xr.DataArray | None = None,
     barriers_hold: float = 1.0,
     products: Products | None = None,
@@ -96,6 +100,9 @@ def simulate(
         is large or fierce by then, or `containment.Containment`. Default: never. Needs travel times.
     hold
         How often a stretch of break holds in a run: a share, "flame", or `holding.Hold`. Default: always.
+    stations, roads, crew_travel
+        Points that crews set out from, lines that they drive on, and "road=40,off=3,delay=10" [km/h, min]: breaks hold
+        only against fire that comes after them, see `stations`. Default: crews are everywhere. Needs travel times.
     barriers
         (y, x), above 0 on roads, rivers and the like which the network holds as fuel, and which may fail.
     barriers_hold
@@ -150,6 +157,9 @@ def simulate(
         embers=as_embers(embers),
         ignition_times=ignition_times,
         containment=as_containment(containment),
+        stations=stations,
+        roads=roads,
+        crew_travel=None if crew_travel is None else as_travel(crew_travel),
     )
     return burn(
         network,
@@ -193,6 +203,8 @@ def burn(
         progress = part(progress, 0.5, 1.0)
     if request.duration is not None and not request.duration.endless:
         network.require_times("a duration")
+    if request.called is not None:
+        network.require_times("the way of crews (stations)")
     limits, spells = limits_of(request, None if weather is None else weather.weather, first_run)
     if plain and products is None:
         return burns if request.duration is None else burns.assign(duration=_ends(limits))

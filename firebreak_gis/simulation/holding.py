@@ -275,6 +275,7 @@ def build_walls(
     barriers_hold: float = 1.0,
     intensity: np.ndarray | None = None,
     window: Window | None = None,
+    crews: np.ndarray | None = None,
 ) -> Walls:
     """What the kernel is given of the breaks.
 
@@ -299,6 +300,9 @@ def build_walls(
         As in `chances`.
     window
         Of which map the network is a window.
+    crews
+        (rows, cols) uint64, when crews are at each cell [s]; nothing cut holds against fire that comes before, barriers
+        do. None: there is no need of them.
     """
     from firebreak_gis.kernels.walls import Walls
 
@@ -306,8 +310,9 @@ def build_walls(
     probability = network.probability.reshape(8, n_cells)
     kept = network.kept_share(residual).ravel()
     none, no_links = np.zeros(0, np.uint32), np.zeros(0, np.uint8)
+    awaited = np.zeros(0, np.uint64) if crews is None else crews.ravel()
     if breaks is None and barriers is None:
-        return Walls(np.zeros(0, bool), none, none, keys, kept, probability, no_links, none)
+        return Walls(np.zeros(0, bool), none, none, keys, kept, probability, no_links, none, awaited)
     near = np.zeros(network.shape, bool)
     chance = np.zeros(network.shape)
     crossed, line_holds = no_links, none
@@ -323,10 +328,11 @@ def build_walls(
         barrier = network.mask(barriers, "barriers") & (chance < barriers_hold)
         chance = np.where(barrier, barriers_hold, chance)
         stretch += barrier.astype(np.uint32)
+        awaited = awaited if crews is None else np.where(barrier.ravel(), np.uint64(0), awaited)
     holds = _digits(chance)
     for d in range(8):
         near |= neighbour(holds.reshape(network.shape) > 0, d, network.boundary)
-    return Walls(near.ravel(), holds, stretch.ravel(), keys, kept, probability, crossed, line_holds)
+    return Walls(near.ravel(), holds, stretch.ravel(), keys, kept, probability, crossed, line_holds, awaited)
 
 
 def _digits(chance: np.ndarray) -> np.ndarray:

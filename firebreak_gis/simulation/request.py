@@ -9,11 +9,14 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from firebreak_gis.errors import ParameterError
 from firebreak_gis.simulation.holding import Hold
+from firebreak_gis.simulation.stations import Stations, Travel
 
 if TYPE_CHECKING:
     from firebreak_gis.network import Residual
@@ -59,6 +62,9 @@ class FireRequest:
         When each point or polygon is lit, see `ignitions.resolve_ignitions`.
     containment
         When crews contain fires; None: never.
+    stations, roads, crew_travel
+        Where crews set out, the roads that they take, and how, see `stations.Stations`: breaks hold only against fire
+        that comes after them. Without stations, crews are everywhere.
     """
 
     ignitions: Any = None
@@ -73,11 +79,18 @@ class FireRequest:
     ignitions_outside: Outside = "refuse"
     ignition_times: Any = None
     containment: Containment | None = None
+    stations: Any = None
+    roads: Any = None
+    crew_travel: Travel | None = None
+
+    def __post_init__(self) -> None:
+        if self.stations is None and (self.roads is not None or self.crew_travel is not None):
+            raise ParameterError("roads and crew travel are for crews that come from stations; give --stations too")
 
     @property
     def timeless(self) -> bool:
         """Whether nothing is asked but fires that end by themselves and breaks that do not fail by stretches."""
-        return self._endless and self.holding.perfect and self.embers is None
+        return self._endless and self.holding.perfect and self.embers is None and self.called is None
 
     @property
     def holding(self) -> Hold:
@@ -87,7 +100,16 @@ class FireRequest:
     @property
     def needs_times(self) -> bool:
         """Whether the network must tell how long fire takes."""
-        return not self._endless or self.embers is not None or self.holding.share is None
+        return not self._endless or self.embers is not None or self.holding.share is None or self.called is not None
+
+    @cached_property
+    def called(self) -> Stations | None:
+        """Crews whom breaks wait for; None if there is no need of them."""
+        if self.stations is None:
+            return None
+        if isinstance(self.stations, Stations):
+            return self.stations
+        return Stations(self.stations, self.roads, self.crew_travel or Travel())
 
     @property
     def crews(self) -> Containment | None:
@@ -120,6 +142,7 @@ class FireRequest:
         told = [f"fires burn {self.duration.told()}"] if self.duration else ["fires burn until they end by themselves"]
         told += [self.crews.told()] if self.crews else []
         told += [self.holding.told()] if not self.holding.perfect else []
+        told += [self.called.told()] if self.called else []
         told += [f"barriers hold in {self.barriers_hold:.3g} of fires"] if self.barriers_hold < 1 else []
         told += [f"breaks that hold keep {self._kept} of the spread probability"] if self.leaks else []
         return told + ([self.embers.told()] if self.embers else [])
@@ -127,4 +150,5 @@ class FireRequest:
     @property
     def sources(self) -> tuple[str, ...]:
         """Names of files that it refers to."""
-        return (os.fspath(self.ignitions),) if isinstance(self.ignitions, (str, os.PathLike)) else ()
+        given = (self.ignitions, self.stations, self.roads)
+        return tuple(os.fspath(each) for each in given if isinstance(each, (str, os.PathLike)))

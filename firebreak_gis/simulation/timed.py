@@ -147,6 +147,8 @@ def burn_timed(
     worth = np.zeros(network.burnable.size) if callable(value) else value
     rim = None if window is None or window.whole else window.rim(reach)
     total = new_tally(network, products, n_runs, longest=longest, value=worth, rim=rim)
+    called = request.called
+    crews = None if called is None else called.arrival(network.grid, request.holding.length)
     laid = _Laid()
     spaces = _Spaces()
     tallies = _Tallies(total)
@@ -163,6 +165,7 @@ def burn_timed(
             barriers_hold=request.barriers_hold,
             intensity=intensity,
             window=window,
+            crews=crews,
         )
         flying = nothing_flies(keys["embers"])
         if request.embers is not None:

@@ -176,8 +176,8 @@ def burn_windows(
     Raises
     ------
     ParameterError
-        If the side is no power of two of at least 16, or breaks hold by flames, for which a window does not know all
-        fuel of a stretch.
+        If the side is no power of two of at least 16, or breaks hold by flames or by crews that travel, for which a
+        window does not know enough of the map.
 
     Examples
     --------
@@ -197,6 +197,8 @@ def burn_windows(
     if request.holding.share is None:
         raise ParameterError("breaks that hold by flames need the map as a whole; give --hold a share, or no windows")
     fuel = fuel_map(source)
+    if request.called is not None:
+        raise ParameterError("the way of crews needs the map as a whole; leave the stations out, or the windows")
     work = _Work(source, request, resolved(fuel, request), progress or silent)
     batches = [(runs, side) for runs in tiles(work.start.cells, work.start.starts, source.grid.shape, side // 2)]
     while batches:

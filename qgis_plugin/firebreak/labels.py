@@ -50,6 +50,8 @@ LABELS: Mapping[str, str] = {
     "weights": "Weights and reaches, such as ridge=2; road_reach=60",
     "products": "Folder for arrival times, isochrones and more",
     "hold": "How often a break holds, such as 0.47",
+    "stations": "Stations of crews whom breaks wait for",
+    "crew_travel": "Travel of crews, such as road=40,off=3,delay=10",
     "embers": "Embers",
     "baseline": "Ranking to test against",
     "budgets": "Budgets, such as 5%, 10%",

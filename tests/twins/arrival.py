@@ -62,6 +62,8 @@ class Fire:
         Pairs of cells, the lower number first, between which a line holds in the run.
     residual
         What they keep of their probability: a number, or one a cell.
+    crews
+        When crews are at each cell [s]; before that it does not stand. None: they always are.
     embers, ember_key
         The kernel's `Embers` as plain arrays, and the key of the run for them.
     """
@@ -74,13 +76,14 @@ class Fire:
     stands: frozenset[int] = frozenset()
     parted: frozenset[tuple[int, int]] = frozenset()
     residual: float | np.ndarray = 0.0
+    crews: np.ndarray | None = None
     embers: object = None
     ember_key: int = 0
 
     def burn(self, ignitions: dict[int, int]) -> dict[int, int]:
         """Arrival time of every burnt cell, from cells and the times at which they are lit."""
         arrival: dict[int, int] = {}
-        heap = [(t, c) for c, t in ignitions.items() if c >= 0 and not (c in self.stands and self._kept(c) == 0)]
+        heap = [(t, c) for c, t in ignitions.items() if c >= 0 and not (self._held(c, t) and self._kept(c) == 0)]
         heapq.heapify(heap)
         while heap:
             t, cell = heapq.heappop(heap)
@@ -92,6 +95,12 @@ class Fire:
                     heapq.heappush(heap, (int(when), target))
         return arrival
 
+    def _manned(self, cell: int, t: float) -> bool:
+        return self.crews is None or t >= self.crews.flat[cell]
+
+    def _held(self, cell: int, t: float) -> bool:
+        return cell in self.stands and self._manned(cell, t)
+
     def _kept(self, cell: int) -> float:
         return float(np.broadcast_to(self.residual, self.network.shape).flat[cell])
 
@@ -101,13 +110,15 @@ class Fire:
         for d, (down, right) in enumerate(_STEPS):
             target = ((row + down) % rows) * cols + (col + right) % cols
             p = self.network.probability[d, row, col]
-            if target in self.stands or (min(cell, target), max(cell, target)) in self.parted:
+            when = across(t, [int(each[d, row, col]) for each in self.times], self.starts)
+            line = (min(cell, target), max(cell, target)) in self.parted and self._manned(target, when)
+            if line or self._held(target, when):
                 p = np.float32(p * np.float32(self._kept(target)))
             if p > 0 and is_open(self.key, cell, d, float(p)):
-                yield across(t, [int(each[d, row, col]) for each in self.times], self.starts), target
+                yield when, target
 
     def _embers(self, cell: int, t: int):
-        if self.embers is None or cell in self.stands:
+        if self.embers is None or self._held(cell, t):
             return
         e, key, base = self.embers, self.ember_key, 64 * cell
         rows, cols = self.network.shape
@@ -131,6 +142,7 @@ class Fire:
                 row, col = row % rows, col % cols
             if 0 <= row < rows and 0 <= col < cols:
                 target = row * cols + col
-                chance = float(e.catches[target]) * (self._kept(target) if target in self.stands else 1.0)
+                when = t + max(60, round(e.delay * math.exp(e.delay_sigma * normal(key, at + 3))))
+                chance = float(e.catches[target]) * (self._kept(target) if self._held(target, when) else 1.0)
                 if uniform(key, at + 2) < chance:
-                    yield t + max(60, round(e.delay * math.exp(e.delay_sigma * normal(key, at + 3)))), target
+                    yield when, target
