@@ -22,12 +22,12 @@ from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import ENDLESS, as_duration
 from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.ground import Ground
-from firebreak_gis.simulation.holding import as_hold, strongest
+from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.ignitions import IgnitionMode, Ignitions, resolve_ignitions
 from firebreak_gis.simulation.products import Products, product_maps
 from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.simulation.stations import as_travel
-from firebreak_gis.simulation.timed import Group, burn_timed
+from firebreak_gis.simulation.timed import burn_timed, containment
 from firebreak_gis.simulation.timeless import burn_all, burn_levels
 from firebreak_gis.stakes import checked_amounts
 
@@ -246,32 +246,6 @@ def limits_of(request: FireRequest, weather: Weather | None, first_run: int) -> 
             raise ParameterError("the duration is to be as the weather tells, but no weather is given")
         return np.maximum(np.rint(weather.durations(**runs)), 1).astype(np.int64), spells
     return request.duration.of_runs(**runs), spells
-
-
-def containment(
-    network: SpreadNetwork, request: FireRequest, start: Ignitions, limits: np.ndarray, **fires: Any
-) -> tuple[np.ndarray, np.ndarray]:
-    """When crews contain the fire of each run [s], (n_runs,) int64; `ENDLESS` where they do not.
-
-    To know how a direct attack goes, the runs are burnt up to it, in a window of the map if `fires` say so. The second
-    array tells which of them came to its rim, (n_runs,) bool.
-    """
-    crews, near = request.crews, np.zeros(request.n_runs, bool)
-    if crews is None:
-        return np.full(request.n_runs, ENDLESS), near
-    network.require_times("containment")
-    at = crews.of_runs(seed=request.seed, n_runs=request.n_runs, first_run=start.first_run)
-    if not crews.attack:
-        return at, near
-    network.require_heat("containment by direct attack")
-
-    def fierce(group: Group) -> np.ndarray:
-        each = [strongest(group.network, "containment by direct attack", times) for times in group.times]
-        return np.asarray(np.mean(each, axis=0) > crews.intensity, np.float64).ravel()
-
-    fires = {"progress": None, "value": fierce, "products": Products(), **fires}
-    met = burn_timed(network, request, start, np.minimum(limits, at), **fires)
-    return np.where(crews.succeeds(met.sizes, met.lost, network.grid), at, ENDLESS), met.reached
 
 
 def resolved(network: SpreadNetwork, request: FireRequest, *, first_run: int = 0) -> Ignitions:

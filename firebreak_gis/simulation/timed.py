@@ -191,6 +191,32 @@ def burn_timed(
     return total
 
 
+def containment(
+    network: SpreadNetwork, request: FireRequest, start: Ignitions, limits: np.ndarray, **fires: Any
+) -> tuple[np.ndarray, np.ndarray]:
+    """When crews contain the fire of each run [s], (n_runs,) int64; `ENDLESS` where they do not.
+
+    To know how a direct attack goes, the runs are burnt up to it, in a window of the map if `fires` say so. The second
+    array tells which of them came to its rim, (n_runs,) bool.
+    """
+    crews, near = request.crews, np.zeros(request.n_runs, bool)
+    if crews is None:
+        return np.full(request.n_runs, ENDLESS), near
+    network.require_times("containment")
+    at = crews.of_runs(seed=request.seed, n_runs=request.n_runs, first_run=start.first_run)
+    if not crews.attack:
+        return at, near
+    network.require_heat("containment by direct attack")
+
+    def fierce(group: Group) -> np.ndarray:
+        each = [strongest(group.network, "containment by direct attack", times) for times in group.times]
+        return np.asarray(np.mean(each, axis=0) > crews.intensity, np.float64).ravel()
+
+    fires = {"progress": None, "value": fierce, "products": Products(), **fires}
+    met = burn_timed(network, request, start, np.minimum(limits, at), **fires)
+    return np.where(crews.succeeds(met.sizes, met.lost, network.grid), at, ENDLESS), met.reached
+
+
 def _burn_piece(
     given: tuple[Any, ...],
     spaces: _Spaces,

@@ -231,8 +231,7 @@ class _Work:
 
     def burn(self, batch: tuple[np.ndarray, int], again: list[tuple[np.ndarray, int]]) -> None:
         """Burn runs in a window of about the side; those that need a larger one are added to `again`."""
-        from firebreak_gis.simulation.fires import containment
-        from firebreak_gis.simulation.timed import burn_timed
+        from firebreak_gis.simulation.timed import burn_timed, containment
 
         runs, side = batch
         window, start = self._window(runs, side)
