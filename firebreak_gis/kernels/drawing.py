@@ -332,7 +332,10 @@ def _apart(places: np.ndarray, k: int, x: float, y: float) -> float:
 
 @kernel
 def slid(line: np.ndarray, price: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """The line with its ends moved to where the last pieces cost least; in turn, until nothing moves or four times."""
+    """The line with its ends moved to where the last pieces cost least; in turn, until nothing moves or four times.
+
+    An end moves no farther than its piece is long, so that it stays on its side of the line.
+    """
     out = line.copy()
     n = out.shape[0]
     least = np.inf
@@ -345,8 +348,12 @@ def slid(line: np.ndarray, price: np.ndarray, places: np.ndarray) -> np.ndarray:
         for side in range(2):
             end, fixed = (0, 1) if side == 0 else (n - 1, n - 2)
             fx, fy = out[fixed, 0], out[fixed, 1]
-            best = price_along(price, fx, fy, out[end, 0], out[end, 1])
-            for k in range(places.shape[0]):
+            ex, ey = out[end, 0], out[end, 1]
+            best = price_along(price, fx, fy, ex, ey)
+            reach = np.hypot(ex - fx, ey - fy)
+            for k in range(places.shape[0] if best < np.inf else 0):
+                if _apart(places, k, ex, ey) > reach:
+                    continue
                 if _apart(places, k, fx, fy) > 1.0 and (_apart(places, k, fx, fy) - _TOUCH) * least < best - 1e-6:
                     cost = price_along(price, fx, fy, places[k, 0], places[k, 1])
                     if cost < best - 1e-6:

@@ -152,6 +152,35 @@ def test_lines_in_their_channels_are_the_shortest(seed):
     assert fast >= slow - 0.02 * len(line)
 
 
+@pytest.mark.parametrize("seed", range(10))
+def test_lines_that_leave_their_channels_cost_no_more_and_stay_near(seed):
+    random = np.random.default_rng(seed)
+    shape = (30, 40)
+    fuel = patchy(seed, shape, share=0.04)
+    cells = np.flatnonzero(fuel.ravel())
+    border = 15 + np.cumsum(random.integers(-1, 2, 40))
+    side = (1 + (cells // 40 > border[cells % 40])).astype(np.uint8)
+    label = labelled(shape, cells, side)
+    gates, starts, ends = channels(label)
+    price = np.where(label > 0, random.uniform(0.5, 2.0, label.shape), -1.0)
+    places = landings(label)
+    lines = []
+    for freedom in (0, 1, 2):
+        points, first = lines_in(gates, starts, ends, price, places, np.full(len(ends), freedom, np.uint8))
+        lines.append([points[a:b] for a, b in pairwise(first)])
+    shorter = 0
+    for raw, pulled, slid in zip(*lines, strict=True):
+        costs = [sum(price_along(price, *a, *b) for a, b in pairwise(line)) for line in (raw, pulled, slid)]
+        assert costs[2] <= costs[1] <= costs[0] + 1e-9
+        shorter += costs[2] < costs[0] - 1e-9
+        np.testing.assert_array_equal(pulled[[0, -1]], raw[[0, -1]])
+        if costs[1] == np.inf:  # what runs along a shore stays there
+            np.testing.assert_array_equal(slid, raw)
+        for end in (0, -1):
+            assert np.hypot(*(slid[end] - pulled[end])) <= 4 * np.hypot(*np.diff(pulled, axis=0).T).sum()
+    assert shorter > 0
+
+
 def test_prices_add_up_along_a_piece_in_any_direction():
     random = np.random.default_rng(1)
     price = random.uniform(0.5, 2.0, (8, 9))
