@@ -91,3 +91,12 @@ def _flags(command):
         ctx = click.Context(command)
         for name in command.list_commands(ctx):
             yield from _flags(command.get_command(ctx, name))
+
+
+def test_a_mark_names_one_block():
+    """Of two blocks with the same mark the second would run nowhere."""
+    marks = []
+    for page in [ROOT / "README.md", *PAGES]:
+        for comments, _, _ in FENCE.findall(page.read_text(encoding="utf-8")):
+            marks += [m for m in re.findall(r"<!-- (.*?) -->", comments) if m in RUN_BY_MARK]
+    assert sorted(marks) == sorted(RUN_BY_MARK)
