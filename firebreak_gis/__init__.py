@@ -15,6 +15,7 @@ __version__ = "0.2.0"
 if TYPE_CHECKING:
     from firebreak_gis.breaks import Budget, break_polygons, removal_order, select_breaks
     from firebreak_gis.construction.compartments import compartments_of
+    from firebreak_gis.construction.delineations import delineate
     from firebreak_gis.construction.segments import segments_of
     from firebreak_gis.errors import Cancelled, FirebreakError
     from firebreak_gis.evaluation.assessment import assess
@@ -65,6 +66,7 @@ _HOMES = {
     "Cancelled": "errors",
     "compare": "planning.comparison",
     "compartments_of": "construction.compartments",
+    "delineate": "construction.delineations",
     "Embers": "simulation.embers",
     "evaluate": "evaluation.curves",
     "existing_breaks": "landscape.existing",
