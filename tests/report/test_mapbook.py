@@ -73,6 +73,7 @@ def test_a_page_for_each_of_the_first_segments_says_what_the_plan_knows(made, at
         assert f"stage {row.stage} of {lines.stage.max()}" in text
         assert f"Length {row.length_m:,.0f} m" in text
         assert f"Area {row.area_ha:,.2f} ha" in text
+        assert re.search(r" Ends A .* Why .* Map ", text)
         assert f"Slope, mean {row.mean_slope_deg:.1f} degrees" in text
         assert f"Slope, steepest {row.max_slope_deg:.1f} degrees" in text
         assert "Cost" not in text  # nobody gave prices
