@@ -700,6 +700,14 @@
         <translation>Das schlimmste Zehntel der Feuer</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m]</source>
+        <translation>Breite von Schneisen, die Linien sind [m]</translation>
+    </message>
+    <message>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
+        <translation>Plant Schneisen als Linien dieser Breite, z. B. 12m, auch schmaler als eine Zelle, an Stelle ganzer Zellen; das Budget zählt ihre Länge mal ihre Breite.</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Behandlungen (CSV, oder default)</translation>
     </message>
@@ -1150,10 +1158,6 @@
     <message>
         <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: always].</source>
         <translation>Wie oft ein Stück Schneise in einem Lauf hält: ein Anteil (0.47 im Gelände), flame (nach Breite und Intensität des Feuers, Wilson 1988) oder flame:flames (1.5 Flammenlängen); Stücke haben 400 m, oder wie in 0.47:800 [sonst immer].</translation>
-    </message>
-    <message>
-        <source>Width of breaks that are lines [m], narrower than a cell too</source>
-        <translation>Breite von Schneisen, die Linien sind [m], auch schmaler als eine Zelle</translation>
     </message>
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>

@@ -700,6 +700,14 @@
         <translation>Το χειρότερο δέκατο των πυρκαγιών</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m]</source>
+        <translation>Πλάτος των ζωνών που είναι γραμμές [m]</translation>
+    </message>
+    <message>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
+        <translation>Σχεδιάζει ζώνες ως γραμμές αυτού του πλάτους, π.χ. 12m, και μικρότερου από ένα κελί, αντί για ολόκληρα κελιά· ο προϋπολογισμός μετρά το μήκος τους επί το πλάτος τους.</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Χειρισμοί (CSV, ή default)</translation>
     </message>
@@ -1150,10 +1158,6 @@
     <message>
         <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: always].</source>
         <translation>Πόσο συχνά κρατά ένα κομμάτι ζώνης σε μια εκτέλεση: ποσοστό (0.47 στο πεδίο), flame (κατά το πλάτος και την ένταση της φωτιάς, Wilson 1988) ή flame:flames (1.5 μήκη φλόγας)· τα κομμάτια έχουν 400 m, ή όπως στο 0.47:800 [αλλιώς πάντα].</translation>
-    </message>
-    <message>
-        <source>Width of breaks that are lines [m], narrower than a cell too</source>
-        <translation>Πλάτος των ζωνών που είναι γραμμές [m], και μικρότερο από ένα κελί</translation>
     </message>
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>

@@ -700,6 +700,14 @@
         <translation>La peor décima parte de los incendios</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m]</source>
+        <translation>Anchura de los cortafuegos que son líneas [m]</translation>
+    </message>
+    <message>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
+        <translation>Planifica cortafuegos como líneas de esta anchura, p. ej. 12m, también menor que una celda, en lugar de celdas enteras; el presupuesto cuenta su longitud por su anchura.</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Tratamientos (CSV, o default)</translation>
     </message>
@@ -1150,10 +1158,6 @@
     <message>
         <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: always].</source>
         <translation>Con qué frecuencia aguanta un trozo de cortafuegos en una ejecución: una proporción (0.47 en el campo), flame (por anchura e intensidad del fuego, Wilson 1988) o flame:flames (1.5 longitudes de llama); los trozos tienen 400 m, o como en 0.47:800 [si no, siempre].</translation>
-    </message>
-    <message>
-        <source>Width of breaks that are lines [m], narrower than a cell too</source>
-        <translation>Anchura de los cortafuegos que son líneas [m], también menor que una celda</translation>
     </message>
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>

@@ -700,6 +700,14 @@
         <translation>Le pire dixième des feux</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m]</source>
+        <translation>Largeur des pare-feu qui sont des lignes [m]</translation>
+    </message>
+    <message>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
+        <translation>Planifie des pare-feu comme lignes de cette largeur, p. ex. 12m, même moindre qu'une cellule, à la place de cellules entières ; le budget compte leur longueur fois leur largeur.</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Traitements (CSV, ou default)</translation>
     </message>
@@ -1150,10 +1158,6 @@
     <message>
         <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: always].</source>
         <translation>Combien de fois un morceau de pare-feu tient dans un passage : une part (0.47 sur le terrain), flame (selon la largeur et l'intensité du feu, Wilson 1988) ou flame:flames (1.5 longueurs de flamme) ; les morceaux ont 400 m, ou comme dans 0.47:800 [sinon toujours].</translation>
-    </message>
-    <message>
-        <source>Width of breaks that are lines [m], narrower than a cell too</source>
-        <translation>Largeur des pare-feu qui sont des lignes [m], même moindre qu'une cellule</translation>
     </message>
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>

@@ -700,6 +700,14 @@
         <translation>Il decimo peggiore degli incendi</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m]</source>
+        <translation>Larghezza dei viali che sono linee [m]</translation>
+    </message>
+    <message>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
+        <translation>Pianifica viali come linee di questa larghezza, ad es. 12m, anche minore di una cella, al posto di celle intere; il budget conta la loro lunghezza per la loro larghezza.</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Trattamenti (CSV, o default)</translation>
     </message>
@@ -1150,10 +1158,6 @@
     <message>
         <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: always].</source>
         <translation>Quanto spesso un pezzo di viale tiene in un'esecuzione: una quota (0.47 sul campo), flame (per larghezza e intensità del fuoco, Wilson 1988) o flame:flames (1.5 lunghezze di fiamma); i pezzi hanno 400 m, o come in 0.47:800 [altrimenti sempre].</translation>
-    </message>
-    <message>
-        <source>Width of breaks that are lines [m], narrower than a cell too</source>
-        <translation>Larghezza dei viali che sono linee [m], anche minore di una cella</translation>
     </message>
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>

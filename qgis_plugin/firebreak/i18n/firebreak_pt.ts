@@ -700,6 +700,14 @@
         <translation>A pior décima parte dos incêndios</translation>
     </message>
     <message>
+        <source>Width of breaks that are lines [m]</source>
+        <translation>Largura dos aceiros que são linhas [m]</translation>
+    </message>
+    <message>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
+        <translation>Planeia aceiros como linhas desta largura, p. ex. 12m, também menor do que uma célula, em vez de células inteiras; o orçamento conta o seu comprimento vezes a sua largura.</translation>
+    </message>
+    <message>
         <source>Treatments (CSV, or default)</source>
         <translation>Tratamentos (CSV, ou default)</translation>
     </message>
@@ -1150,10 +1158,6 @@
     <message>
         <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: always].</source>
         <translation>Com que frequência um trecho de aceiro segura o fogo numa execução: uma proporção (0.47 no campo), flame (pela largura e intensidade do fogo, Wilson 1988) ou flame:flames (1.5 comprimentos de chama); os trechos têm 400 m, ou como em 0.47:800 [senão, sempre].</translation>
-    </message>
-    <message>
-        <source>Width of breaks that are lines [m], narrower than a cell too</source>
-        <translation>Largura dos aceiros que são linhas [m], também menor do que uma célula</translation>
     </message>
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
