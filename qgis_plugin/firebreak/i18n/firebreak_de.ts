@@ -720,6 +720,54 @@
         <translation>als Wort</translation>
     </message>
     <message>
+        <source>Years of building and upkeep</source>
+        <translation>Jahre des Baus und der Pflege</translation>
+    </message>
+    <message>
+        <source>Number of years over which the breaks are built and kept up; 1: all is built at once.</source>
+        <translation>Zahl der Jahre, über die die Schneisen gebaut und gepflegt werden; 1: alles wird auf einmal gebaut.</translation>
+    </message>
+    <message>
+        <source>Budget of each year, such as 500ha</source>
+        <translation>Budget jedes Jahres, z. B. 500ha</translation>
+    </message>
+    <message>
+        <source>What each year affords for upkeep, which is paid first, and building: 500ha, 20000eur or a share [default: what all breaks cost, over the years].</source>
+        <translation>Was jedes Jahr für Pflege, die zuerst bezahlt wird, und Bau erlaubt: 500ha, 20000eur oder ein Anteil [sonst, was alle Schneisen kosten, durch die Jahre].</translation>
+    </message>
+    <message>
+        <source>Fires that start in a year</source>
+        <translation>Feuer, die in einem Jahr entstehen</translation>
+    </message>
+    <message>
+        <source>Number of fires that start in a year.</source>
+        <translation>Zahl der Feuer, die in einem Jahr entstehen.</translation>
+    </message>
+    <message>
+        <source>Discount rate a year, such as 3%</source>
+        <translation>Abzinsung im Jahr, z. B. 3%</translation>
+    </message>
+    <message>
+        <source>Rate a year, such as 3%, at which later costs and losses count less.</source>
+        <translation>Satz im Jahr, z. B. 3%, mit dem spätere Kosten und Verluste weniger zählen.</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back</source>
+        <translation>Jahre, bis behandelter Brennstoff nachgewachsen ist</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back: 4, or agricultural=3,shrubs=4,pines=8 [default: those of "Treatments", or agricultural=3,shrubs=4,pines=4, an assumption].</source>
+        <translation>Jahre, bis behandelter Brennstoff nachgewachsen ist: 4, oder agricultural=3,shrubs=4,pines=8 [sonst die von "Behandlungen", oder agricultural=3,shrubs=4,pines=4, eine Annahme].</translation>
+    </message>
+    <message>
+        <source>Cost of treating anew, as a share of treating first</source>
+        <translation>Kosten erneuter Behandlung, als Anteil der ersten</translation>
+    </message>
+    <message>
+        <source>What treating anew costs, as a share of treating first.</source>
+        <translation>Was erneute Behandlung kostet, als Anteil der ersten.</translation>
+    </message>
+    <message>
         <source>Cost of cutting per hectare</source>
         <translation>Schnittkosten je Hektar</translation>
     </message>
@@ -884,6 +932,26 @@
         <translation>Anteil der Läufe, in denen ein Stück der Barrieren hält; getrennt von den Schneisen gezogen.</translation>
     </message>
     <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Standorte der Einsatzkräfte, auf die Schneisen warten</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Punkte oder Flächen, von denen Einsatzkräfte aufbrechen: ein Stück Schneise hält nur gegen Feuer, das nach ihnen kommt [sonst sind Einsatzkräfte überall].</translation>
+    </message>
+    <message>
+        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
+        <translation>Straßen, auf denen diese Einsatzkräfte fahren (Linien oder ein Raster) [sonst keine, alle Wege führen durchs Gelände].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Fahrt der Einsatzkräfte, z. B. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Wie sie fahren: Geschwindigkeit auf Straßen und abseits in km/h, und Minuten vom Beginn des Feuers bis zum Aufbruch [sonst road=40,off=3,delay=10, Annahmen].</translation>
+    </message>
+    <message>
         <source>Fires without an end by time</source>
         <translation>Feuer ohne zeitliches Ende</translation>
     </message>
@@ -978,6 +1046,10 @@
     <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>Was der Plan für sein Ziel und für alle anderen leistet</translation>
+    </message>
+    <message>
+        <source>What is built, kept up and burnt in each year</source>
+        <translation>Was in jedem Jahr gebaut, gepflegt und verbrannt wird</translation>
     </message>
     <message>
         <source>Size of every fire without and with the breaks</source>

@@ -720,6 +720,54 @@
         <translation>ως λέξη</translation>
     </message>
     <message>
+        <source>Years of building and upkeep</source>
+        <translation>Έτη κατασκευής και συντήρησης</translation>
+    </message>
+    <message>
+        <source>Number of years over which the breaks are built and kept up; 1: all is built at once.</source>
+        <translation>Αριθμός ετών στα οποία κατασκευάζονται και συντηρούνται οι ζώνες· 1: όλα κατασκευάζονται μαζί.</translation>
+    </message>
+    <message>
+        <source>Budget of each year, such as 500ha</source>
+        <translation>Προϋπολογισμός κάθε έτους, π.χ. 500ha</translation>
+    </message>
+    <message>
+        <source>What each year affords for upkeep, which is paid first, and building: 500ha, 20000eur or a share [default: what all breaks cost, over the years].</source>
+        <translation>Όσα επιτρέπει κάθε έτος για συντήρηση, που πληρώνεται πρώτη, και κατασκευή: 500ha, 20000eur ή ποσοστό [αλλιώς όσα κοστίζουν όλες οι ζώνες, διά τα έτη].</translation>
+    </message>
+    <message>
+        <source>Fires that start in a year</source>
+        <translation>Πυρκαγιές που αρχίζουν σε ένα έτος</translation>
+    </message>
+    <message>
+        <source>Number of fires that start in a year.</source>
+        <translation>Αριθμός πυρκαγιών που αρχίζουν σε ένα έτος.</translation>
+    </message>
+    <message>
+        <source>Discount rate a year, such as 3%</source>
+        <translation>Προεξοφλητικό επιτόκιο ανά έτος, π.χ. 3%</translation>
+    </message>
+    <message>
+        <source>Rate a year, such as 3%, at which later costs and losses count less.</source>
+        <translation>Ετήσιο επιτόκιο, π.χ. 3%, με το οποίο τα μεταγενέστερα κόστη και οι απώλειες μετρούν λιγότερο.</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back</source>
+        <translation>Έτη ώσπου να ξαναφυτρώσει η καύσιμη ύλη μετά τον χειρισμό</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back: 4, or agricultural=3,shrubs=4,pines=8 [default: those of "Treatments", or agricultural=3,shrubs=4,pines=4, an assumption].</source>
+        <translation>Έτη ώσπου να ξαναφυτρώσει η καύσιμη ύλη μετά τον χειρισμό: 4, ή agricultural=3,shrubs=4,pines=8 [αλλιώς εκείνα των "Χειρισμοί", ή agricultural=3,shrubs=4,pines=4, μια παραδοχή].</translation>
+    </message>
+    <message>
+        <source>Cost of treating anew, as a share of treating first</source>
+        <translation>Κόστος νέου χειρισμού, ως ποσοστό του πρώτου</translation>
+    </message>
+    <message>
+        <source>What treating anew costs, as a share of treating first.</source>
+        <translation>Πόσο κοστίζει ένας νέος χειρισμός, ως ποσοστό του πρώτου.</translation>
+    </message>
+    <message>
         <source>Cost of cutting per hectare</source>
         <translation>Κόστος κοπής ανά εκτάριο</translation>
     </message>
@@ -884,6 +932,26 @@
         <translation>Ποσοστό των εκτελέσεων όπου κρατά ένα κομμάτι των εμποδίων· κληρώνεται χωριστά από τις ζώνες.</translation>
     </message>
     <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Σταθμοί των συνεργείων που περιμένουν οι ζώνες</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Σημεία ή περιοχές από όπου ξεκινούν τα συνεργεία: ένα κομμάτι ζώνης κρατά μόνο απέναντι σε φωτιά που έρχεται μετά από αυτά [αλλιώς τα συνεργεία είναι παντού].</translation>
+    </message>
+    <message>
+        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
+        <translation>Δρόμοι στους οποίους κινούνται αυτά τα συνεργεία (γραμμές ή ψηφιδωτό) [αλλιώς κανένας, όλες οι διαδρομές είναι εκτός δρόμου].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Μετακίνηση των συνεργείων, π.χ. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Πώς μετακινούνται: ταχύτητα σε δρόμους και εκτός δρόμων σε km/h, και λεπτά από την αρχή της φωτιάς ώσπου να ξεκινήσουν [αλλιώς road=40,off=3,delay=10, παραδοχές].</translation>
+    </message>
+    <message>
         <source>Fires without an end by time</source>
         <translation>Πυρκαγιές χωρίς χρονικό τέλος</translation>
     </message>
@@ -978,6 +1046,10 @@
     <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>Τι πετυχαίνει το σχέδιο για τον στόχο του και για όλους τους άλλους</translation>
+    </message>
+    <message>
+        <source>What is built, kept up and burnt in each year</source>
+        <translation>Τι κατασκευάζεται, συντηρείται και καίγεται σε κάθε έτος</translation>
     </message>
     <message>
         <source>Size of every fire without and with the breaks</source>

@@ -720,6 +720,54 @@
         <translation>como palabra</translation>
     </message>
     <message>
+        <source>Years of building and upkeep</source>
+        <translation>Años de construcción y mantenimiento</translation>
+    </message>
+    <message>
+        <source>Number of years over which the breaks are built and kept up; 1: all is built at once.</source>
+        <translation>Número de años en que se construyen y mantienen los cortafuegos; 1: todo se construye de una vez.</translation>
+    </message>
+    <message>
+        <source>Budget of each year, such as 500ha</source>
+        <translation>Presupuesto de cada año, p. ej. 500ha</translation>
+    </message>
+    <message>
+        <source>What each year affords for upkeep, which is paid first, and building: 500ha, 20000eur or a share [default: what all breaks cost, over the years].</source>
+        <translation>Lo que cada año permite para mantenimiento, que se paga primero, y construcción: 500ha, 20000eur o una proporción [si no, lo que cuestan todos los cortafuegos, entre los años].</translation>
+    </message>
+    <message>
+        <source>Fires that start in a year</source>
+        <translation>Incendios que empiezan en un año</translation>
+    </message>
+    <message>
+        <source>Number of fires that start in a year.</source>
+        <translation>Número de incendios que empiezan en un año.</translation>
+    </message>
+    <message>
+        <source>Discount rate a year, such as 3%</source>
+        <translation>Tasa de descuento anual, p. ej. 3%</translation>
+    </message>
+    <message>
+        <source>Rate a year, such as 3%, at which later costs and losses count less.</source>
+        <translation>Tasa anual, p. ej. 3%, con la que los costes y pérdidas posteriores cuentan menos.</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back</source>
+        <translation>Años hasta que el combustible tratado vuelve a crecer</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back: 4, or agricultural=3,shrubs=4,pines=8 [default: those of "Treatments", or agricultural=3,shrubs=4,pines=4, an assumption].</source>
+        <translation>Años hasta que el combustible tratado vuelve a crecer: 4, o agricultural=3,shrubs=4,pines=8 [si no, los de "Tratamientos", o agricultural=3,shrubs=4,pines=4, un supuesto].</translation>
+    </message>
+    <message>
+        <source>Cost of treating anew, as a share of treating first</source>
+        <translation>Coste de volver a tratar, como proporción del primer tratamiento</translation>
+    </message>
+    <message>
+        <source>What treating anew costs, as a share of treating first.</source>
+        <translation>Lo que cuesta volver a tratar, como proporción del primer tratamiento.</translation>
+    </message>
+    <message>
         <source>Cost of cutting per hectare</source>
         <translation>Coste de corta por hectárea</translation>
     </message>
@@ -884,6 +932,26 @@
         <translation>Proporción de ejecuciones en que aguanta un trozo de las barreras; se sortea aparte de los cortafuegos.</translation>
     </message>
     <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Bases de los medios a los que esperan los cortafuegos</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Puntos o áreas de donde salen los medios: un trozo de cortafuegos solo aguanta ante el fuego que llega después de ellos [si no, hay medios en todas partes].</translation>
+    </message>
+    <message>
+        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
+        <translation>Carreteras por las que van estos medios (líneas o un ráster) [si no, ninguna, todo el camino es campo a través].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Desplazamiento de los medios, p. ej. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Cómo se desplazan: velocidad por carretera y fuera de ella en km/h, y minutos desde el comienzo del incendio hasta que salen [si no, road=40,off=3,delay=10, supuestos].</translation>
+    </message>
+    <message>
         <source>Fires without an end by time</source>
         <translation>Incendios sin final por tiempo</translation>
     </message>
@@ -978,6 +1046,10 @@
     <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>Lo que hace el plan por su objetivo y por todos los demás</translation>
+    </message>
+    <message>
+        <source>What is built, kept up and burnt in each year</source>
+        <translation>Lo que se construye, se mantiene y se quema cada año</translation>
     </message>
     <message>
         <source>Size of every fire without and with the breaks</source>

@@ -720,6 +720,54 @@
         <translation>comme mot</translation>
     </message>
     <message>
+        <source>Years of building and upkeep</source>
+        <translation>Années de construction et d'entretien</translation>
+    </message>
+    <message>
+        <source>Number of years over which the breaks are built and kept up; 1: all is built at once.</source>
+        <translation>Nombre d'années sur lesquelles les pare-feu sont construits et entretenus ; 1 : tout est construit d'un coup.</translation>
+    </message>
+    <message>
+        <source>Budget of each year, such as 500ha</source>
+        <translation>Budget de chaque année, p. ex. 500ha</translation>
+    </message>
+    <message>
+        <source>What each year affords for upkeep, which is paid first, and building: 500ha, 20000eur or a share [default: what all breaks cost, over the years].</source>
+        <translation>Ce que chaque année permet pour l'entretien, payé d'abord, et la construction : 500ha, 20000eur ou une part [sinon ce que coûtent tous les pare-feu, réparti sur les années].</translation>
+    </message>
+    <message>
+        <source>Fires that start in a year</source>
+        <translation>Feux qui éclosent en une année</translation>
+    </message>
+    <message>
+        <source>Number of fires that start in a year.</source>
+        <translation>Nombre de feux qui éclosent en une année.</translation>
+    </message>
+    <message>
+        <source>Discount rate a year, such as 3%</source>
+        <translation>Taux d'actualisation par an, p. ex. 3%</translation>
+    </message>
+    <message>
+        <source>Rate a year, such as 3%, at which later costs and losses count less.</source>
+        <translation>Taux par an, p. ex. 3%, auquel les coûts et pertes ultérieurs comptent moins.</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back</source>
+        <translation>Années jusqu'à ce que le combustible traité ait repoussé</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back: 4, or agricultural=3,shrubs=4,pines=8 [default: those of "Treatments", or agricultural=3,shrubs=4,pines=4, an assumption].</source>
+        <translation>Années jusqu'à ce que le combustible traité ait repoussé : 4, ou agricultural=3,shrubs=4,pines=8 [sinon celles de "Traitements", ou agricultural=3,shrubs=4,pines=4, une hypothèse].</translation>
+    </message>
+    <message>
+        <source>Cost of treating anew, as a share of treating first</source>
+        <translation>Coût d'un nouveau traitement, en part du premier</translation>
+    </message>
+    <message>
+        <source>What treating anew costs, as a share of treating first.</source>
+        <translation>Ce que coûte un nouveau traitement, en part du premier.</translation>
+    </message>
+    <message>
         <source>Cost of cutting per hectare</source>
         <translation>Coût de coupe par hectare</translation>
     </message>
@@ -884,6 +932,26 @@
         <translation>Part des passages où un morceau des barrières tient ; tirée à part des pare-feu.</translation>
     </message>
     <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Bases des secours que les pare-feu attendent</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Points ou zones d'où partent les secours : un morceau de pare-feu ne tient que contre le feu qui arrive après eux [sinon les secours sont partout].</translation>
+    </message>
+    <message>
+        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
+        <translation>Routes qu'empruntent ces secours (lignes ou un raster) [sinon aucune, tous les trajets sont hors route].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Trajet des secours, p. ex. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Comment ils se déplacent : vitesse sur route et hors route en km/h, et minutes du début du feu à leur départ [sinon road=40,off=3,delay=10, des hypothèses].</translation>
+    </message>
+    <message>
         <source>Fires without an end by time</source>
         <translation>Feux sans fin par la durée</translation>
     </message>
@@ -978,6 +1046,10 @@
     <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>Ce que le plan fait pour son but et pour tous les autres</translation>
+    </message>
+    <message>
+        <source>What is built, kept up and burnt in each year</source>
+        <translation>Ce qui est construit, entretenu et brûlé chaque année</translation>
     </message>
     <message>
         <source>Size of every fire without and with the breaks</source>

@@ -720,6 +720,54 @@
         <translation>come parola</translation>
     </message>
     <message>
+        <source>Years of building and upkeep</source>
+        <translation>Anni di costruzione e manutenzione</translation>
+    </message>
+    <message>
+        <source>Number of years over which the breaks are built and kept up; 1: all is built at once.</source>
+        <translation>Numero di anni in cui i viali sono costruiti e mantenuti; 1: tutto si costruisce in una volta.</translation>
+    </message>
+    <message>
+        <source>Budget of each year, such as 500ha</source>
+        <translation>Budget di ogni anno, ad es. 500ha</translation>
+    </message>
+    <message>
+        <source>What each year affords for upkeep, which is paid first, and building: 500ha, 20000eur or a share [default: what all breaks cost, over the years].</source>
+        <translation>Ciò che ogni anno permette per la manutenzione, pagata per prima, e la costruzione: 500ha, 20000eur o una quota [altrimenti quanto costano tutti i viali, diviso per gli anni].</translation>
+    </message>
+    <message>
+        <source>Fires that start in a year</source>
+        <translation>Incendi che iniziano in un anno</translation>
+    </message>
+    <message>
+        <source>Number of fires that start in a year.</source>
+        <translation>Numero di incendi che iniziano in un anno.</translation>
+    </message>
+    <message>
+        <source>Discount rate a year, such as 3%</source>
+        <translation>Tasso di sconto annuo, ad es. 3%</translation>
+    </message>
+    <message>
+        <source>Rate a year, such as 3%, at which later costs and losses count less.</source>
+        <translation>Tasso annuo, ad es. 3%, con cui costi e perdite successivi contano meno.</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back</source>
+        <translation>Anni finché il combustibile trattato è ricresciuto</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back: 4, or agricultural=3,shrubs=4,pines=8 [default: those of "Treatments", or agricultural=3,shrubs=4,pines=4, an assumption].</source>
+        <translation>Anni finché il combustibile trattato è ricresciuto: 4, o agricultural=3,shrubs=4,pines=8 [altrimenti quelli di "Trattamenti", o agricultural=3,shrubs=4,pines=4, un'ipotesi].</translation>
+    </message>
+    <message>
+        <source>Cost of treating anew, as a share of treating first</source>
+        <translation>Costo di un nuovo trattamento, come quota del primo</translation>
+    </message>
+    <message>
+        <source>What treating anew costs, as a share of treating first.</source>
+        <translation>Quanto costa un nuovo trattamento, come quota del primo.</translation>
+    </message>
+    <message>
         <source>Cost of cutting per hectare</source>
         <translation>Costo del taglio per ettaro</translation>
     </message>
@@ -884,6 +932,26 @@
         <translation>Quota delle esecuzioni in cui un pezzo delle barriere tiene; sorteggiata a parte dai viali.</translation>
     </message>
     <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Basi delle squadre che i viali aspettano</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Punti o aree da cui partono le squadre: un pezzo di viale tiene solo contro il fuoco che arriva dopo di loro [altrimenti le squadre sono ovunque].</translation>
+    </message>
+    <message>
+        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
+        <translation>Strade su cui viaggiano queste squadre (linee o un raster) [altrimenti nessuna, tutti i percorsi sono fuori strada].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Spostamento delle squadre, ad es. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Come si spostano: velocità su strada e fuori in km/h, e minuti dall'inizio dell'incendio alla partenza [altrimenti road=40,off=3,delay=10, ipotesi].</translation>
+    </message>
+    <message>
         <source>Fires without an end by time</source>
         <translation>Incendi senza fine a tempo</translation>
     </message>
@@ -978,6 +1046,10 @@
     <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>Che cosa fa il piano per il suo scopo e per tutti gli altri</translation>
+    </message>
+    <message>
+        <source>What is built, kept up and burnt in each year</source>
+        <translation>Che cosa si costruisce, si mantiene e brucia in ogni anno</translation>
     </message>
     <message>
         <source>Size of every fire without and with the breaks</source>

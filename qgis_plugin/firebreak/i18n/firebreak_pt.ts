@@ -720,6 +720,54 @@
         <translation>como palavra</translation>
     </message>
     <message>
+        <source>Years of building and upkeep</source>
+        <translation>Anos de construção e manutenção</translation>
+    </message>
+    <message>
+        <source>Number of years over which the breaks are built and kept up; 1: all is built at once.</source>
+        <translation>Número de anos em que os aceiros são construídos e mantidos; 1: tudo é construído de uma vez.</translation>
+    </message>
+    <message>
+        <source>Budget of each year, such as 500ha</source>
+        <translation>Orçamento de cada ano, p. ex. 500ha</translation>
+    </message>
+    <message>
+        <source>What each year affords for upkeep, which is paid first, and building: 500ha, 20000eur or a share [default: what all breaks cost, over the years].</source>
+        <translation>O que cada ano permite para manutenção, que se paga primeiro, e construção: 500ha, 20000eur ou uma proporção [senão, o que custam todos os aceiros, pelos anos].</translation>
+    </message>
+    <message>
+        <source>Fires that start in a year</source>
+        <translation>Incêndios que começam num ano</translation>
+    </message>
+    <message>
+        <source>Number of fires that start in a year.</source>
+        <translation>Número de incêndios que começam num ano.</translation>
+    </message>
+    <message>
+        <source>Discount rate a year, such as 3%</source>
+        <translation>Taxa de desconto anual, p. ex. 3%</translation>
+    </message>
+    <message>
+        <source>Rate a year, such as 3%, at which later costs and losses count less.</source>
+        <translation>Taxa anual, p. ex. 3%, com que custos e perdas posteriores contam menos.</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back</source>
+        <translation>Anos até o combustível tratado voltar a crescer</translation>
+    </message>
+    <message>
+        <source>Years until treated fuel has grown back: 4, or agricultural=3,shrubs=4,pines=8 [default: those of "Treatments", or agricultural=3,shrubs=4,pines=4, an assumption].</source>
+        <translation>Anos até o combustível tratado voltar a crescer: 4, ou agricultural=3,shrubs=4,pines=8 [senão, os de "Tratamentos", ou agricultural=3,shrubs=4,pines=4, um pressuposto].</translation>
+    </message>
+    <message>
+        <source>Cost of treating anew, as a share of treating first</source>
+        <translation>Custo de tratar de novo, como proporção do primeiro tratamento</translation>
+    </message>
+    <message>
+        <source>What treating anew costs, as a share of treating first.</source>
+        <translation>O que custa tratar de novo, como proporção do primeiro tratamento.</translation>
+    </message>
+    <message>
         <source>Cost of cutting per hectare</source>
         <translation>Custo de corte por hectare</translation>
     </message>
@@ -884,6 +932,26 @@
         <translation>Proporção das execuções em que um trecho das barreiras segura o fogo; sorteada à parte dos aceiros.</translation>
     </message>
     <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Bases dos meios por que os aceiros esperam</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Pontos ou áreas de onde partem os meios: um trecho de aceiro só segura o fogo que chega depois deles [senão, há meios em toda a parte].</translation>
+    </message>
+    <message>
+        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
+        <translation>Estradas em que estes meios circulam (linhas ou um raster) [senão, nenhuma, todo o caminho é fora de estrada].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Deslocação dos meios, p. ex. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Como se deslocam: velocidade em estrada e fora dela em km/h, e minutos desde o início do incêndio até partirem [senão, road=40,off=3,delay=10, pressupostos].</translation>
+    </message>
+    <message>
         <source>Fires without an end by time</source>
         <translation>Incêndios sem fim por tempo</translation>
     </message>
@@ -978,6 +1046,10 @@
     <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>O que o plano faz pelo seu objetivo e por todos os outros</translation>
+    </message>
+    <message>
+        <source>What is built, kept up and burnt in each year</source>
+        <translation>O que se constrói, se mantém e arde em cada ano</translation>
     </message>
     <message>
         <source>Size of every fire without and with the breaks</source>
