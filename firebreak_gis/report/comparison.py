@@ -66,7 +66,7 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
     caption_under(figure, caption, 60 * len(residuals))
     figure.legend(
         *panels[0].get_legend_handles_labels(),
-        loc="outside lower center",
+        loc="outside upper center",
         ncols=math.ceil(len(labels) / math.ceil(len(labels) / 8)),
         fontsize=8,
         frameon=False,
@@ -123,10 +123,11 @@ def front_figure(front: pd.DataFrame, *, priced: bool, caption: str = "") -> Fig
         axes.grid(color="#e6e6e6", lw=0.5)
         axes.tick_params(labelsize=8)
     panels[0].set_ylabel(f"saved [{unit}]; dots: no other saves as much for less", fontsize=9)
-    panels[0].set_ylim(bottom=min(0.0, 1.1 * float(front["saved"].min())))
+    top = 1.08 * float(front["saved_high"].max())
+    panels[0].set_ylim(min(0.0, 1.1 * float(front["saved"].min())), top if top > 0 else 1.0)
     caption_under(figure, caption, 60 * len(residuals))
     figure.legend(
-        *panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=8, fontsize=8, frameon=False
+        *panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=8, fontsize=8, frameon=False
     )
     return figure
 
