@@ -164,4 +164,9 @@ def test_the_command_tells_the_years(tmp_path):
     assert {"year", "year_begun", "upkeep_years", "upkeep_year"} <= set(lines)
     account = json.loads((tmp_path / "out" / "run.json").read_text())
     assert [row["year"] for row in account["summary"]["years"]] == [1, 2, 3, 4]
-    assert "Year by year" in (tmp_path / "out" / "report.html").read_text()
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert "Year by year" in page
+    assert (lines["year"] == 0).any()  # not within the years, which the page does not call a year
+    assert "Year 1," in page
+    assert "Year 0" not in page
+    assert "Value lost" not in page

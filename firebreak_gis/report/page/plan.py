@@ -54,7 +54,7 @@ def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
         pictures=_pictures(parts, grid),
         outlines=drawn,
         curve=_curve(parts.get("evaluation.csv"), account),
-        segments=_segments(parts.get("segments.gpkg")),
+        segments=_segments(_scheduled(parts["segments.gpkg"]) if "segments.gpkg" in parts else None),
         goals=_goals(summary.get("goals", ())),
         years=_years(summary.get("years", ())),
         files=tuple((name, label) for name, label in account.get("files", ()) if name != "report.html"),
@@ -205,7 +205,7 @@ def _outlines(parts: Mapping[str, Any], origin: tuple[float, float]) -> tuple[Ou
         features = pictures.outlines(frame, origin, cards)
         shown.append(Outlines("compartments", "Compartments", features, "#4a3b20"))
     if "segments.gpkg" in parts:
-        frame = parts["segments.gpkg"]
+        frame = _scheduled(parts["segments.gpkg"])
         stages = max(int(frame["stage"].max()), 1) if len(frame) else 1
         cards = [
             {
@@ -245,6 +245,11 @@ _COMPARTMENT = (
 
 #: When a segment is built: what the table is grouped by.
 _WHEN = (("year", "Year"), ("stage", "Stage"))
+
+
+def _scheduled(frame: gpd.GeoDataFrame) -> gpd.GeoDataFrame:
+    """Segments; those that are never built (year 0) have no year, so that they come last."""
+    return frame.assign(year=frame["year"].where(frame["year"] > 0)) if "year" in frame else frame
 
 
 def _card(row: Mapping[Any, Any], columns: tuple[tuple[str, str, int, str], ...]) -> dict[str, str]:
@@ -294,6 +299,8 @@ def _years(rows: Sequence[Mapping[str, Any]]) -> tuple[Row, ...]:
         "value_lost": "Value lost",
         "saved_ha": "Saved [ha]",
     }
+    if all(row["value_lost"] is None for row in rows):
+        del names["value_lost"]
     decimals = {text: 1 for name, text in names.items() if name != "year"}
     summed = frozenset(text for name, text in names.items() if name not in ("year", "standing_ha"))
     return tuple(Row({text: row[name] for name, text in names.items()}, decimals, summed) for row in rows)
