@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from firebreak_gis.planning.design import rank
     from firebreak_gis.planning.outputs import write_plan
     from firebreak_gis.planning.pipeline import plan
+    from firebreak_gis.planning.years import YearsRequest
     from firebreak_gis.plugins import methods
     from firebreak_gis.rasters import write_raster
     from firebreak_gis.report.exploring import explore
@@ -106,6 +107,7 @@ _HOMES = {
     "write_plan": "planning.outputs",
     "write_raster": "rasters",
     "write_vector": "vectors",
+    "YearsRequest": "planning.years",
 }
 
 #: What each command is called here, where it has another name; None for those that look after the installation.

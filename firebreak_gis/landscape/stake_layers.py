@@ -52,7 +52,7 @@ class ValueLayer:
         Column of polygons or points; without it each counts 1.
     weight
         What one unit counts in the sum that is planned for, such as the money that it is worth.
-    values_as
+    taken_as
         As `StakesRequest.values_as`.
     """
 
@@ -60,7 +60,7 @@ class ValueLayer:
     source: str
     field: str | None = None
     weight: float = 1.0
-    values_as: ValuesAs = "amount"
+    taken_as: ValuesAs = "amount"
 
 
 def value_layer(name: str, text: str) -> ValueLayer:
@@ -74,7 +74,7 @@ def value_layer(name: str, text: str) -> ValueLayer:
     Examples
     --------
     >>> value_layer("people", "villages.gpkg,field=people,weight=2")
-    ValueLayer(name='people', source='villages.gpkg', field='people', weight=2.0, values_as='amount')
+    ValueLayer(name='people', source='villages.gpkg', field='people', weight=2.0, taken_as='amount')
     """
     source, *words = re.split(r",(?=(?:field|weight|as)=)", text)
     given = dict(word.split("=", 1) for word in words)
@@ -193,7 +193,7 @@ class StakesRequest:
                 layer.source,
                 grid,
                 field=layer.field,
-                values_as=layer.values_as,
+                values_as=layer.taken_as,
                 account=account,
             )
         if ignitions is not None and not is_vector(ignitions):

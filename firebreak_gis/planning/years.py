@@ -41,6 +41,15 @@ class YearsRequest:
         Years until treated fuel has grown back, by type of vegetation; None: assumed, or those of the treatments.
     upkeep_cost
         What treating anew costs, as a share of treating first.
+
+    Examples
+    --------
+    >>> import firebreak_gis as fb
+    >>> layers = fb.sample_layers()
+    >>> asked = YearsRequest(years=3, budget_per_year=fb.Budget.of("100ha"))
+    >>> made = fb.plan(fb.read_landscape(**layers, resolution=200.0), budget="6%", n_runs=10, years=asked)
+    >>> made.years.table["spent"].round(6).tolist()
+    [100.0, 100.0, 100.0]
     """
 
     years: int = 1

@@ -89,7 +89,7 @@ def test_the_table_is_a_plain_bootstrap_over_pairs():
 
 def test_a_layer_of_value_is_read_from_its_words():
     layer = value_layer("houses", r"C:\data, old\houses.gpkg,field=price,as=density")
-    assert (layer.source, layer.field, layer.values_as, layer.weight) == (
+    assert (layer.source, layer.field, layer.taken_as, layer.weight) == (
         r"C:\data, old\houses.gpkg",
         "price",
         "density",
