@@ -26,6 +26,11 @@ class StakePlanes:
     ----------
     barriers
         (rows, cols), above 0 on existing breaks, roads and rivers, see `with_barriers`.
+    roads, rivers
+        (rows, cols), above 0 on roads and tracks, and on water: where breaks are easier to build and to hold, see
+        `landscape.siting`. They hold fuel unless they are barriers too.
+    aoi
+        (rows, cols), above 0 in the area that is planned for, see `landscape.sited`.
     cost, protected, value, ignition, difficulty
         As in `Stakes`.
     unpriced
@@ -35,6 +40,9 @@ class StakePlanes:
     """
 
     barriers: Plane | None = None
+    roads: Plane | None = None
+    rivers: Plane | None = None
+    aoi: Plane | None = None
     cost: Plane | None = None
     protected: Plane | None = None
     value: Plane | None = None
@@ -43,9 +51,11 @@ class StakePlanes:
     unpriced: np.ndarray | None = None
     objectives: Mapping[str, Plane] = field(default_factory=dict)
 
-    def roads(self, network: SpreadNetwork) -> np.ndarray | None:
-        """(rows, cols) float64, 1 on a barrier, for methods that follow roads; None where none are given."""
-        return None if self.barriers is None else network.mask(self.barriers, "barriers").astype(np.float64)
+    def followed(self, network: SpreadNetwork) -> np.ndarray | None:
+        """(rows, cols) float64, 1 on a road or a barrier, for methods that follow roads; None where none are given."""
+        given = [("roads", self.roads), ("barriers", self.barriers)]
+        masks = [network.mask(plane, name) for name, plane in given if plane is not None]
+        return np.logical_or.reduce(masks).astype(np.float64) if masks else None
 
     def on(self, network: SpreadNetwork) -> tuple[SpreadNetwork, Stakes]:
         """Put the barriers into a network, and the rest into its `Stakes`."""

@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 import click
 
 from firebreak_gis.cli import kinds
+from firebreak_gis.cli.stakes_options import roads
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -86,12 +87,7 @@ def holding(command: F, *, default: str = "always") -> F:
                 help="Points or areas that crews set out from: a stretch of break holds only against fire that comes "
                 "after them [default: crews are everywhere].",
             ),
-            click.option(
-                "--roads",
-                type=kinds.VECTOR_OR_RASTER,
-                metavar="PATH",
-                help="Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].",
-            ),
+            roads,
             click.option(
                 "--crew-travel",
                 type=kinds.TRAVEL,

@@ -278,6 +278,25 @@ def hectares(text: Any, option: str) -> float:
     return number
 
 
+def length(text: Any, option: str) -> float:
+    """Read a distance in metres: "50", "50m" or "0.2km".
+
+    Raises
+    ------
+    ParameterError
+        If the text is no distance of at least 0.
+    """
+    word = str(text).strip().lower()
+    factor = 1000.0 if word.endswith("km") else 1.0
+    try:
+        metres = float(word.removesuffix("km").removesuffix("m")) * factor
+    except ValueError:
+        metres = -1.0
+    if not 0.0 <= metres < float("inf"):
+        raise ParameterError(f"{option} got {text!r}, expected a distance of at least 0 such as 50m")
+    return metres
+
+
 def times(text: Any, option: str) -> list[float]:
     """Split "2h,4h" into rising seconds."""
     from firebreak_gis.simulation.durations import as_seconds

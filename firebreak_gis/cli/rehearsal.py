@@ -157,6 +157,7 @@ def require_possible(request: PlanRequest) -> None:
         request.design.amount.require()
     request.design.require_lines()
     plugins.build_params(plugins.load("ranking", request.design.method), request.design.method_params)
+    request.siting.require()
     request.spread.require()
     request.require_calendar()
     request.weather.read()

@@ -21,6 +21,28 @@ cost_default = click.option(
     metavar="NUMBER",
     help="Cost per hectare where --cost tells none; alone, everywhere [default: nothing is cut there].",
 )
+roads = click.option(
+    "--roads",
+    type=kinds.VECTOR_OR_RASTER,
+    metavar="PATH",
+    help="Roads and tracks (lines or a raster), beside which breaks are easier to build and to hold, and on which "
+    "crews drive; those that stop fire are barriers too.",
+)
+rivers = click.option(
+    "--rivers",
+    type=kinds.VECTOR_OR_RASTER,
+    metavar="PATH",
+    help="Rivers and lakes (lines, areas, a raster), beside which breaks are easier to hold; those that stop fire are "
+    "barriers too.",
+)
+siting_params = click.option(
+    "--siting-param",
+    "siting_params",
+    callback=kinds.pairs,
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="What a line is worth, or a reach, such as ridge=0.8, valley=0 or reach=60; may be repeated.",
+)
 
 
 def stakes(command: F) -> F:
@@ -100,6 +122,41 @@ def values(command: F) -> F:
 
 
 def _apply(options: list[Callable[[Any], Any]], command: F) -> F:
+    for option in reversed(options):
+        command = option(command)
+    return command
+
+
+def siting(command: F) -> F:
+    """--rivers, --aoi, --siting, --siting-param, --max-slope, --near-roads and --beyond-roads.
+
+    What they go by beside the terrain, `roads`, comes with the options of fires where there are fires.
+    """
+    options = [
+        rivers,
+        click.option(
+            "--aoi",
+            type=kinds.VECTOR_OR_RASTER,
+            metavar="PATH",
+            help="Area of interest (raster or polygons) that is planned for: nothing is cut outside, but fires start "
+            "and burn there too.",
+        ),
+        click.option(
+            "--siting",
+            type=float,
+            metavar="STRENGTH",
+            help="How much more a break counts in the worst ground than on a ridge, a road, a river or the edge of the "
+            "fuel; 0: all ground alike, as in the paper [default: 1.5 where the terrain is known and has relief].",
+        ),
+        siting_params,
+        click.option("--max-slope", type=float, metavar="DEGREES", help="Ground that is steeper is not cut."),
+        click.option(
+            "--near-roads", type=kinds.LENGTH, metavar="METRES", help="Only ground within this of a road is cut: 200m."
+        ),
+        click.option(
+            "--beyond-roads", type=kinds.LENGTH, metavar="METRES", help="Ground within this of a road is not cut: 50m."
+        ),
+    ]
     for option in reversed(options):
         command = option(command)
     return command

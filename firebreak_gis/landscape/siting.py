@@ -1,9 +1,11 @@
-"""Where a line can be held: ridges and valley bottoms, gentle ground, roads, rivers, the edges of fuel, access.
+"""Where a line can be held: ridges and valley bottoms, roads, rivers, edges of the fuel, gentle ground, access.
 
-Each factor is a plane from 0 (bad) to 1 (good); the suitability is their weighted mean. The factors are those that
-held fires in the study of potential control locations (O'Connor, Calkin, Thompson 2017, doi 10.1071/WF16135) and in
-indices of suppression difficulty (Rodriguez y Silva et al. 2014, doi 10.1071/WF13137). The study fits a statistical
-model to one region's fires; which factor counts how much elsewhere has no source, so the weights are parameters.
+Lines come first: a cell within `reach` of a ridge, a valley bottom, a road, a river or an edge of the fuel counts what
+the best of them is worth, any other cell nothing. Gentle ground and a short way from the next road add to it. The
+factors are those that held fires in the study of potential control locations (O'Connor, Calkin, Thompson 2017, doi
+10.1071/WF16135) and in indices of suppression difficulty (Rodriguez y Silva et al. 2014, doi 10.1071/WF13137). The
+study fits a statistical model to one region's fires; which factor counts how much elsewhere has no source, so the
+weights are parameters, and assumptions.
 """
 
 from __future__ import annotations
@@ -20,47 +22,49 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
-#: Standard deviations of the heights around at which a ridge or a valley counts in full.
-_PROMINENT = 1.5
+#: Largest strength that is taken for meant.
+_STRONGEST = 10.0
 
 
 @dataclass(frozen=True)
 class Siting:
-    """What makes a line easy to hold, and how much of it counts.
+    """What makes a line easy to hold, and how much of it counts; all of it assumed, see the text of the module.
 
     Weights of 0 leave a factor out; a factor without data (no roads given) is left out too.
 
     Parameters
     ----------
     scales
-        Radii over which ridges and valleys are looked for [m]; the most prominent counts.
-    ridge, valley
-        Weight of the landform, and what a valley bottom is worth beside a ridge (0 to 1).
+        Standard deviations of the smoothing under which ridges and valleys are looked for [m]; the lines of all
+        scales count.
+    flank
+        Slope at one scale from the crest or the bottom from which on it counts [degrees].
+    ridge, valley, road, river, edge
+        What each line is worth, 0 to 1. Valleys draw fire uphill, and crews are not safe in them, so they count half.
+    patch
+        Ground without fuel has an edge if it is at least so large [ha].
+    reach
+        How near a line counts as on the feature [m]; one cell always does.
     slope, gentle, steep
-        Weight of the slope; up to `gentle` degrees machines work freely, from `steep` on not at all.
-    road, road_reach
-        Weight of a road or track in the line, and the distance at which it is worth a third [m].
-    river, river_reach
-        The same for rivers and lakes.
-    edge, edge_reach
-        The same for edges of the fuel: ground without fuel, and where the fuel turns less flammable.
+        Weight of the slope beside that of the lines; up to `gentle` degrees machines work freely, from `steep` on not
+        at all.
     access, access_reach
         Weight of the way for crews from the next road, and the distance at which it is worth a third [m].
     """
 
-    scales: tuple[float, ...] = (100.0, 300.0, 1000.0)
+    scales: tuple[float, ...] = (200.0,)
+    flank: float = 4.5
     ridge: float = 1.0
     valley: float = 0.5
+    road: float = 1.0
+    river: float = 1.0
+    edge: float = 1.0
+    patch: float = 20.0
+    reach: float = 30.0
     slope: float = 0.5
     gentle: float = 15.0
     steep: float = 35.0
-    road: float = 1.0
-    road_reach: float = 40.0
-    river: float = 0.75
-    river_reach: float = 40.0
-    edge: float = 0.75
-    edge_reach: float = 40.0
-    access: float = 0.5
+    access: float = 0.25
     access_reach: float = 500.0
 
     def __post_init__(self) -> None:
@@ -71,12 +75,73 @@ class Siting:
             value = getattr(self, f.name)
             if not (np.isfinite(value) and value >= 0.0):
                 raise ParameterError(f"siting {f.name} is {value}, expected a number of at least 0")
-        if not self.scales or min(self.scales) <= 0:
+            if f.name in ("ridge", "valley", "road", "river", "edge") and value > 1.0:
+                raise ParameterError(f"siting {f.name} is {value}, expected a worth from 0 to 1")
+        if not self.scales or not all(np.isfinite(scale) and scale > 0 for scale in self.scales):
             raise ParameterError(f"siting scales are {self.scales}, expected lengths above 0 m")
-        if self.valley > 1.0:
-            raise ParameterError(f"siting valley is {self.valley}, expected a share of a ridge's worth from 0 to 1")
         if self.steep <= self.gentle:
             raise ParameterError(f"siting steep is {self.steep} degrees, expected more than gentle, {self.gentle}")
+
+
+def siting_of(weights: Mapping[str, Any], siting: Siting | None = None) -> Siting:
+    """A `Siting` in which some fields, given by name, numbers or text, are others.
+
+    Raises
+    ------
+    ParameterError
+        Naming what is unknown or no number.
+
+    Examples
+    --------
+    >>> siting_of({"ridge": "0.8"}).ridge
+    0.8
+    """
+    siting = siting or Siting()
+    known = {f.name for f in fields(siting)}
+    strangers = sorted(set(weights) - known)
+    if strangers:
+        raise ParameterError(f"siting has no {', '.join(strangers)}; it has {', '.join(sorted(known))}")
+    try:
+        numbers = {k: _scales(v) if k == "scales" else float(v) for k, v in weights.items()}
+    except (TypeError, ValueError):
+        raise ParameterError(f"siting got {dict(weights)!r}, expected numbers") from None
+    return replace(siting, **numbers)  # type: ignore[arg-type]
+
+
+def _scales(given: Any) -> tuple[float, ...]:
+    words = given.replace("+", " ").split() if isinstance(given, str) else np.atleast_1d(given)
+    return tuple(float(word) for word in words)
+
+
+def features(
+    elevation: np.ndarray | None,
+    cell_size: float,
+    *,
+    burnable: np.ndarray,
+    roads: np.ndarray | None = None,
+    rivers: np.ndarray | None = None,
+    siting: Siting | None = None,
+) -> dict[str, np.ndarray]:
+    """Lines that a break can follow, by name, (rows, cols) bool each: those with data and worth.
+
+    Parameters are those of `suitability`.
+    """
+    chosen = siting or Siting()
+    found: dict[str, np.ndarray] = {}
+    if elevation is not None:
+        height = np.asarray(elevation, dtype=np.float64)
+        found["ridge"] = crests(height, cell_size, chosen.scales, chosen.flank)
+        found["valley"] = crests(-height, cell_size, chosen.scales, chosen.flank)
+    for name, mask in (("road", roads), ("river", rivers)):
+        if mask is not None:
+            found[name] = np.asarray(mask, dtype=bool)
+    found["edge"] = fuel_edges(burnable, patch=max(chosen.patch * 1e4 / cell_size**2, 1.0))
+    return {name: mask for name, mask in found.items() if getattr(chosen, name) > 0.0 and mask.any()}
+
+
+def beside(mask: np.ndarray, cell_size: float, reach: float) -> np.ndarray:
+    """Cells within reach of a mask [m], the eight next ones always, (rows, cols) bool."""
+    return np.asarray(distance(mask, cell_size) <= max(reach, 1.5 * cell_size))
 
 
 def suitability(
@@ -84,7 +149,6 @@ def suitability(
     cell_size: float,
     *,
     burnable: np.ndarray,
-    flammability: np.ndarray | None = None,
     roads: np.ndarray | None = None,
     rivers: np.ndarray | None = None,
     siting: Siting | None = None,
@@ -99,8 +163,6 @@ def suitability(
         Of a cell [m].
     burnable
         (rows, cols) bool, true where there is fuel.
-    flammability
-        (rows, cols) how readily each cell is lit, any unit; edges lie where it falls by a quarter or more.
     roads, rivers
         (rows, cols) bool; rivers are all water that stops fire.
     siting
@@ -109,7 +171,8 @@ def suitability(
     Returns
     -------
     tuple
-        (rows, cols) float64 from 0 to 1, and the factors that went in, by name, likewise.
+        (rows, cols) float64 from 0 to 1: the best line's worth, the slope and the access, by their weights; and the
+        factors that went in, by name, likewise.
 
     Raises
     ------
@@ -121,57 +184,126 @@ def suitability(
     A ridge between two valleys:
 
     >>> import numpy as np
-    >>> height = 100 - np.abs(np.arange(41) - 20.0) * 5 + np.zeros((31, 1))
+    >>> height = 200 - np.abs(np.arange(61) - 30.0) * 5 + np.zeros((41, 1))
     >>> found, _ = suitability(height, 20.0, burnable=np.ones(height.shape, bool))
-    >>> np.flatnonzero(found[15] == found[15].max())
-    array([19, 20, 21])
+    >>> np.flatnonzero(found[20] == found[20].max())
+    array([29, 30, 31])
     """
     from firebreak_gis.kernels.terrain import horn_slope
 
     chosen = siting or Siting()
-    planes: dict[str, tuple[float, np.ndarray]] = {}
-    if elevation is not None:
-        height = np.asarray(elevation, dtype=np.float64)
-        planes["landform"] = (chosen.ridge, _landform(height, cell_size, chosen))
-        steepness = horn_slope(height, cell_size)
+    lines = features(elevation, cell_size, burnable=burnable, roads=roads, rivers=rivers, siting=chosen)
+    factors = {name: beside(mask, cell_size, chosen.reach).astype(np.float64) for name, mask in lines.items()}
+    worth = np.zeros(np.shape(burnable))
+    for name, plane in factors.items():
+        worth = np.maximum(worth, getattr(chosen, name) * plane)
+    weighed = [(1.0, worth)] if factors else []
+    if elevation is not None and chosen.slope > 0.0:
+        steepness = horn_slope(np.asarray(elevation, dtype=np.float64), cell_size)
         machine = np.clip((chosen.steep - steepness) / (chosen.steep - chosen.gentle), 0.0, 1.0)
-        planes["slope"] = (chosen.slope, np.where(np.isnan(machine), 0.0, machine))
-    if roads is not None and roads.any():
-        away = _distance(roads, cell_size)
-        planes["road"] = (chosen.road, np.exp(-away / max(chosen.road_reach, 1e-9)))
-        planes["access"] = (chosen.access, np.exp(-away / max(chosen.access_reach, 1e-9)))
-    if rivers is not None and rivers.any():
-        planes["river"] = (chosen.river, np.exp(-_distance(rivers, cell_size) / max(chosen.river_reach, 1e-9)))
-    edges = fuel_edges(burnable, flammability)
-    if edges.any():
-        planes["edge"] = (chosen.edge, np.exp(-_distance(edges, cell_size) / max(chosen.edge_reach, 1e-9)))
-    used = {name: plane for name, plane in planes.items() if plane[0] > 0.0}
-    if not used:
+        factors["slope"] = np.where(np.isnan(machine), 0.0, machine)
+        weighed.append((chosen.slope, factors["slope"]))
+    if "road" in lines and chosen.access > 0.0:
+        factors["access"] = np.exp(-distance(lines["road"], cell_size) / max(chosen.access_reach, 1e-9))
+        weighed.append((chosen.access, factors["access"]))
+    if not weighed:
         raise ParameterError("siting has nothing to go by: give the terrain, roads or rivers, or weights above 0")
-    total = sum(weight * plane for weight, plane in used.values()) / sum(weight for weight, _ in used.values())
-    return np.asarray(total), {name: plane for name, (_, plane) in used.items()}
+    total = sum(weight * plane for weight, plane in weighed) / sum(weight for weight, _ in weighed)
+    return np.asarray(total), factors
 
 
-def fuel_edges(burnable: np.ndarray, flammability: np.ndarray | None = None) -> np.ndarray:
-    """Cells with fuel beside ground without fuel, or beside fuel that is lit a quarter less readily, (rows, cols)."""
+def crests(height: np.ndarray, cell_size: float, scales: tuple[float, ...], flank: float) -> np.ndarray:
+    """Crest lines of a terrain; those of its negative are the valley bottoms.
+
+    A cell is on a crest of a scale if the smoothed terrain bends down most across a line through the cell, so much that
+    one scale from the crest the slope is `flank`. Lines do not know the directions of the grid, and go on over saddles.
+
+    Parameters
+    ----------
+    height
+        (rows, cols) [m], NaN where unknown; no crest lies within a scale of unknown ground.
+    cell_size, scales
+        Of a cell, and of the Gaussian smoothing [m]; scales below a cell find nothing.
+    flank
+        Slope [degrees].
+
+    Returns
+    -------
+    numpy.ndarray
+        (rows, cols) bool.
+
+    Notes
+    -----
+    Steger 1998, doi 10.1109/34.659930. Cost: five smoothings a scale.
+    """
+    from scipy import ndimage
+
+    found = np.zeros(height.shape, bool)
+    unknown = ~np.isfinite(height)
+    if unknown.all():
+        return found
+    known = height
+    if unknown.any():
+        nearest = ndimage.distance_transform_edt(unknown, return_distances=False, return_indices=True)
+        known = height[tuple(nearest)]
+    for scale in scales:
+        sigma = scale / cell_size
+        if sigma < 1.0:
+            continue
+        line = _crest(known, sigma, np.tan(np.radians(flank)) * cell_size)
+        if unknown.any():
+            line &= distance(unknown, cell_size) > scale
+        found |= line
+    return found
+
+
+def _crest(height: np.ndarray, sigma: float, drop: float) -> np.ndarray:
+    """Crests of one scale in cells; `drop` is the fall over a cell at that distance from the crest."""
+    from scipy import ndimage
+
+    # Beyond the border the terrain goes on as it falls, so that the border is no ridge.
+    margin = int(np.ceil(4.0 * sigma))
+    wide = np.pad(height, margin, mode="reflect", reflect_type="odd") if min(height.shape) > 1 else height
+    inner = np.s_[margin:-margin, margin:-margin] if min(height.shape) > 1 else np.s_[:, :]
+
+    def smooth(*order: int) -> np.ndarray:
+        return np.asarray(ndimage.gaussian_filter(wide, sigma, order=order, mode="nearest")[inner])
+
+    down, right = smooth(1, 0), smooth(0, 1)
+    rows, cols, both = smooth(2, 0), smooth(0, 2), smooth(1, 1)
+    bend = 0.5 * (rows + cols) - np.hypot(0.5 * (cols - rows), both)
+    turn = 0.5 * np.arctan2(2.0 * both, cols - rows) + 0.5 * np.pi
+    across = np.cos(turn), np.sin(turn)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        away = -(right * across[0] + down * across[1]) / bend
+    # The crest passes through the cell if it lies within half a cell along the nearer axis.
+    passes = np.abs(away) * np.maximum(np.abs(across[0]), np.abs(across[1])) <= 0.5 + 1e-9
+    return np.asarray(passes & (-bend * sigma >= drop))
+
+
+def fuel_edges(burnable: np.ndarray, *, patch: float = 1.0) -> np.ndarray:
+    """Cells with fuel that share a side with ground without fuel, (rows, cols) bool.
+
+    Parameters
+    ----------
+    burnable
+        (rows, cols) bool.
+    patch
+        Cells that ground without fuel has at least; smaller patches have no edge.
+    """
+    from scipy import ndimage
+
     fuel = np.asarray(burnable, dtype=bool)
-    edges = np.zeros(fuel.shape, bool)
-    lit = np.where(fuel, 1.0 if flammability is None else np.asarray(flammability, dtype=np.float64), 0.0)
-    for axis in (0, 1):
-        one = (slice(None, -1), slice(None)) if axis == 0 else (slice(None), slice(None, -1))
-        two = (slice(1, None), slice(None)) if axis == 0 else (slice(None), slice(1, None))
-        apart = np.minimum(lit[one], lit[two]) <= 0.75 * np.maximum(lit[one], lit[two])
-        apart &= np.maximum(lit[one], lit[two]) > 0
-        edges[one] |= apart
-        edges[two] |= apart
-    return np.asarray(edges & fuel)
+    label, _ = ndimage.label(~fuel, structure=np.ones((3, 3)))
+    size = np.bincount(label.ravel())
+    size[0] = 0
+    return np.asarray(ndimage.binary_dilation(size[label] >= patch) & fuel)
 
 
 def difficulty(suitable: np.ndarray, *, strength: float = 1.0) -> np.ndarray:
     """What a wall counts as in each cell beside its cost, from how suitable the cell is.
 
-    The best cell of the map counts 1, and one that is worse by the whole range of suitability ``exp(2 strength)``: 7
-    times as much at the default strength. The range runs from the 2 % to the 98 % quantile. Numbers are rounded to
+    Ground of suitability 1 counts once its cost, ground of suitability 0 ``1 + strength`` times. Numbers are rounded to
     halves, so that walls are found fast.
 
     Parameters
@@ -186,19 +318,30 @@ def difficulty(suitable: np.ndarray, *, strength: float = 1.0) -> np.ndarray:
     numpy.ndarray
         (rows, cols) float64, at least 1.
     """
-    if not (np.isfinite(strength) and 0.0 <= strength <= 5.0):
-        raise ParameterError(f"the strength of the siting is {strength}, expected a number from 0 to 5")
-    low, high = np.quantile(suitable, [0.02, 0.98])
-    worse = np.clip((high - suitable) / max(high - low, 1e-12), 0.0, 1.0)
-    factor: np.ndarray = np.rint(2.0 * np.exp(2.0 * strength * worse)) / 2.0
+    require_strength(strength)
+    factor: np.ndarray = np.rint(2.0 * (1.0 + strength * (1.0 - suitable))) / 2.0
     return factor
+
+
+def require_strength(strength: float) -> None:
+    """Refuse a strength that cannot be meant.
+
+    Raises
+    ------
+    ParameterError
+        Saying what it may be.
+    """
+    if not (np.isfinite(strength) and 0.0 <= strength <= _STRONGEST):
+        raise ParameterError(
+            f"the strength of the siting is {strength}, expected a number from 0 (all ground alike) to {_STRONGEST:g}"
+        )
 
 
 def site(
     landscape: xr.Dataset,
     *,
-    roads: np.ndarray | None = None,
-    rivers: np.ndarray | None = None,
+    roads: np.ndarray | xr.DataArray | None = None,
+    rivers: np.ndarray | xr.DataArray | None = None,
     siting: Siting | None = None,
     **weights: Any,
 ) -> xr.Dataset:
@@ -211,7 +354,7 @@ def site(
     roads, rivers
         (rows, cols) bool, or above 0 where there is one.
     siting
-        Weights and reaches; single ones may be given by name instead, for example ``road=2``.
+        Weights and reaches; single ones may be given by name instead, for example ``road=0.5``.
 
     Returns
     -------
@@ -221,7 +364,7 @@ def site(
     Examples
     --------
     >>> import firebreak_gis as fb
-    >>> found = fb.site(fb.read_landscape(**fb.sample_layers(), resolution=250.0), ridge=2.0)
+    >>> found = fb.site(fb.read_landscape(**fb.sample_layers(), resolution=250.0), valley=1.0)
     >>> 0.0 <= float(found["suitability"].min()) <= float(found["suitability"].max()) <= 1.0
     True
     """
@@ -232,19 +375,13 @@ def site(
 
     grid = Grid.of(landscape["burnable"])
     grid.require_metres("slopes and distances")
-    chosen = _with(siting or Siting(), weights)
-    fuel = landscape["burnable"].to_numpy()
-    flammability = (1.0 + 0.35 * (landscape["vegetation"].to_numpy().astype(np.float64) - 2.0)) * (
-        1.0 + 0.35 * (landscape["density"].to_numpy().astype(np.float64) - 2.0)
-    )
     found, factors = suitability(
         landscape["elevation"].to_numpy(),
         grid.cell_size,
-        burnable=fuel,
-        flammability=flammability,
+        burnable=landscape["burnable"].to_numpy(),
         roads=None if roads is None else np.asarray(roads) > 0,
         rivers=None if rivers is None else np.asarray(rivers) > 0,
-        siting=chosen,
+        siting=siting_of(weights, siting),
     )
     data = {"suitability": annotate(grid.dataarray(found.astype(np.float32), "suitability"))}
     for name, plane in factors.items():
@@ -254,50 +391,8 @@ def site(
     return xr.Dataset(data)
 
 
-def _with(siting: Siting, weights: Mapping[str, Any]) -> Siting:
-    known = {f.name for f in fields(siting)}
-    strangers = sorted(set(weights) - known)
-    if strangers:
-        raise ParameterError(f"siting has no {', '.join(strangers)}; it has {', '.join(sorted(known))}")
-    try:
-        numbers = {k: tuple(float(x) for x in v) if k == "scales" else float(v) for k, v in weights.items()}
-    except (TypeError, ValueError):
-        raise ParameterError(f"siting got {dict(weights)!r}, expected numbers") from None
-    return replace(siting, **numbers)  # type: ignore[arg-type]
-
-
-def _distance(mask: np.ndarray, cell_size: float) -> np.ndarray:
+def distance(mask: np.ndarray, cell_size: float) -> np.ndarray:
     """Distance of every cell's centre from the next cell of a mask [m]."""
     from scipy.ndimage import distance_transform_edt
 
     return np.asarray(distance_transform_edt(~np.asarray(mask, bool), sampling=cell_size))
-
-
-def _landform(height: np.ndarray, cell_size: float, siting: Siting) -> np.ndarray:
-    """From 0 on an even slope to 1 on a ridge and `valley` in a valley bottom, the most prominent of the scales.
-
-    The height over the mean around, in standard deviations of the heights around (De Reu et al. 2013,
-    doi 10.1016/j.geomorph.2012.12.015); the mean is Gaussian, so that it does not know the directions of the grid.
-    """
-    best = np.zeros(height.shape)
-    level = height - np.nanmean(height) if np.isfinite(height).any() else height
-    for radius in siting.scales:
-        sigma = radius / cell_size / np.sqrt(2.0)
-        if sigma < 0.5:
-            continue
-        mean, square = (_smooth(values, sigma) for values in (level, level**2))
-        spread = np.sqrt(np.maximum(square - mean**2, 1e-12))
-        over = (level - mean) / np.maximum(spread, 0.01 * radius)
-        ridge, valley = np.clip(over / _PROMINENT, 0.0, 1.0), np.clip(-over / _PROMINENT, 0.0, 1.0)
-        best = np.fmax(best, np.maximum(ridge, siting.valley * valley))
-    return np.asarray(best)
-
-
-def _smooth(values: np.ndarray, sigma: float) -> np.ndarray:
-    """Gaussian mean of the known values around each cell."""
-    from scipy.ndimage import gaussian_filter
-
-    known = np.isfinite(values)
-    weight = gaussian_filter(known.astype(np.float64), sigma, mode="constant", truncate=3.0)
-    total = gaussian_filter(np.where(known, values, 0.0), sigma, mode="constant", truncate=3.0)
-    return np.asarray(np.where(weight > 1e-9, total / np.maximum(weight, 1e-9), np.nan))

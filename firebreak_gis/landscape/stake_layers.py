@@ -34,8 +34,17 @@ if TYPE_CHECKING:
 #: Which cells are kept: all with any part protected or not allowed, or those whose centre is.
 ProtectedRule = Literal["every-part", "centre"]
 #: How areas are laid on the grid, so that none is cut into and nothing passes a barrier.
-MASKS: Mapping[str, MaskRule] = MappingProxyType({"barriers": "touched", "protected": "touched", "allowed": "within"})
-CENTRES: Mapping[str, MaskRule] = MappingProxyType({"protected": "centre", "allowed": "centre"})
+MASKS: Mapping[str, MaskRule] = MappingProxyType(
+    {
+        "barriers": "touched",
+        "roads": "touched",
+        "rivers": "touched",
+        "protected": "touched",
+        "allowed": "within",
+        "aoi": "within",
+    }
+)
+CENTRES: Mapping[str, MaskRule] = MappingProxyType({"protected": "centre", "allowed": "centre", "aoi": "centre"})
 
 
 @dataclass(frozen=True)
@@ -103,10 +112,14 @@ class StakesRequest:
         Cost per hectare where `cost` tells none; without it nothing is cut there. Alone it is the cost everywhere.
     protected, allowed
         Where nothing may be cut, and outside of which nothing may be cut.
+    aoi
+        The area that is planned for: nothing is cut outside, but fires burn there too.
     protected_rule
         Whether a cell is kept if any part of it is protected or not allowed, or only if its centre is.
     barriers
-        Existing breaks, roads, rivers.
+        Existing breaks, roads, rivers that stop fire.
+    roads, rivers
+        Roads and tracks, and water, beside which breaks are easier to build and to hold, see `landscape.siting`.
     values, values_field
         Values at risk: a raster, or polygons or points with their column.
     values_as
@@ -120,8 +133,11 @@ class StakesRequest:
     cost_default: float | None = None
     protected: str | None = None
     allowed: str | None = None
+    aoi: str | None = None
     protected_rule: ProtectedRule = "every-part"
     barriers: str | None = None
+    roads: str | None = None
+    rivers: str | None = None
     values: str | None = None
     values_field: str | None = None
     values_as: ValuesAs = "amount"
@@ -135,7 +151,7 @@ class StakesRequest:
     @property
     def layers(self) -> dict[str, str]:
         """Names of files, by field."""
-        named = {name: getattr(self, name) for name in ("cost", "protected", "allowed", "barriers", "values")}
+        named = {name: getattr(self, name) for name in ("cost", *MASKS, "values")}
         known = {name: source for name, source in named.items() if isinstance(source, str) and source}
         return known | {f"value {layer.name}": layer.source for layer in self.value_layers}
 

@@ -11,6 +11,7 @@ import numpy as np
 from firebreak_gis.breaks import Budget
 from firebreak_gis.kernels.flow import patch_links, pieces_after
 from firebreak_gis.lattice import AZIMUTH, COL_STEP, ROW_STEP
+from firebreak_gis.placement.bending import bent, is_even, prices
 from firebreak_gis.placement.dissection import along, lines_first
 from firebreak_gis.placement.edges import links
 
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from firebreak_gis.progress import Progress
     from firebreak_gis.stakes import Stakes
 
+#: How often a pattern of lines moved to better ground is laid wider until its cost is paid.
+_TRIES = 12
 #: Shifts of a pattern that are tried, as shares of its spacing.
 _SHIFTS = (0.0, 0.25, 0.5, 0.75)
 
@@ -141,7 +144,7 @@ def best_pattern(
     cost_share: float,
     progress: Progress,
 ) -> np.ndarray:
-    """Priority of the pattern that loses least over azimuths and shifts.
+    """Priority of the pattern that loses least over azimuths and shifts, its lines moved to the better ground beside.
 
     Parameters
     ----------
@@ -163,7 +166,7 @@ def best_pattern(
     """
     expected = ExpectedLoss(network, stakes)
     money = Budget.of_cost_share(cost_share, stakes)
-    best: tuple[float, list[np.ndarray]] = (np.inf, [])
+    best: tuple[float, list[np.ndarray], float, float, float] = (np.inf, [], 0.0, 0.0, 1.0)
     tries = [(azimuth, shift) for azimuth in azimuths for shift in _SHIFTS]
     for i, (azimuth, shift) in enumerate(tries):
         progress(i / len(tries), "trying patterns")
@@ -177,9 +180,46 @@ def best_pattern(
                 break
         lost = expected(cut)
         if lost < best[0]:
-            best = (lost, lines)
+            best = (lost, lines, azimuth, shift, start * 1.01**wider)
+    lines = best[1]
+    if not is_even(stakes):
+        lines = _bent_pattern(
+            network, stakes, draw, lines, *best[2:], width=width, money=None if spacing else money, progress=progress
+        )
     progress(1.0, "pattern chosen")
-    return pattern_first(network, stakes, best[1])
+    return pattern_first(network, stakes, lines)
+
+
+def _bent_pattern(
+    network: SpreadNetwork,
+    stakes: Stakes,
+    draw: Callable[..., list[np.ndarray]],
+    lines: list[np.ndarray],
+    azimuth: float,
+    shift: float,
+    spacing: float,
+    *,
+    width: int,
+    money: Budget | None,
+    progress: Progress,
+) -> list[np.ndarray]:
+    """The lines of a pattern moved to better ground, within half the spacing in all.
+
+    They grow longer by that, so the pattern is laid wider until `money` pays; None: it is laid as asked.
+    """
+    price = prices(network, stakes, width)
+    free = (network.burnable & ~stakes.protected).ravel()
+    moved: list[np.ndarray] = []
+    for i in range(_TRIES):
+        progress(i / _TRIES, "moving lines to better ground")
+        moved = [bent(line, network, price, width=width, reach=spacing / 4.0) for line in lines]
+        cut = np.unique(np.concatenate(moved))
+        cost = float(stakes.cost.ravel()[cut[free[cut]]].sum())
+        if money is None or money.pays(cost):
+            break
+        spacing *= max(cost / max(money.amount, 1e-300), 1.01)
+        lines = draw(network.shape, azimuth, width=width, spacing=spacing, shift=shift)
+    return moved
 
 
 def pattern_first(network: SpreadNetwork, stakes: Stakes, lines: Sequence[np.ndarray]) -> np.ndarray:

@@ -56,6 +56,8 @@ class Judging:
         What should be known of it, such as that the spread model tells no times.
     hectares
         Treated by each treatment, by name; empty if all breaks are alike.
+    sited
+        What the breaks keep to, and where nothing is cut, in words.
     """
 
     fires: FireRequest
@@ -65,6 +67,7 @@ class Judging:
     assumed: tuple[str, ...]
     notes: tuple[str, ...] = ()
     hectares: Mapping[str, float] = field(default_factory=dict)
+    sited: tuple[str, ...] = ()
 
     @property
     def assumptions(self) -> tuple[str, ...]:
@@ -77,6 +80,7 @@ class Judging:
         told.append(self.sky)
         if self.assumed:
             told.append(f"{' and '.join(self.assumed)} {'is' if len(self.assumed) == 1 else 'are'} assumed, not known")
+        told += self.sited
         return tuple(_sentence(words) for words in told if words)
 
     @property

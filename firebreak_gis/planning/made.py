@@ -18,6 +18,7 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.landscape.lines import LineBreaks
+from firebreak_gis.landscape.sited import Sited
 from firebreak_gis.planning.feasibility import Feasibility
 from firebreak_gis.planning.goals import goals_table
 from firebreak_gis.planning.judging import Judging, headline
@@ -66,6 +67,8 @@ class Plan(Shown):
         Share of the cells with fuel that is cut.
     feasibility
         What could be reached.
+    sited
+        Lines of the ground that the breaks could follow.
     treated
         The segments, where each has a treatment, and what they leave; None where all cells are treated alike.
     lines
@@ -89,6 +92,7 @@ class Plan(Shown):
     request: PlanRequest
     share: float
     feasibility: Feasibility
+    sited: Sited
     treated: Treated | None = None
     objectives: Mapping[str, tuple[np.ndarray, np.ndarray]] = field(default_factory=dict)
     lines: LineDesign | None = None
@@ -159,6 +163,7 @@ class Plan(Shown):
             "model_params": dict(spread.model_params),
             "width": design.width,
             **({} if design.line_width is None else {"line_width": design.line_width}),
+            "siting": self.sited.strength,
             "residual": fires.residual,
             "timeless": self.request.timeless,
             "duration": None if fires.duration is None else fires.duration.told(),
@@ -349,6 +354,11 @@ class Plan(Shown):
             "burnt_share_with_breaks": float(endless.sel(budget=self.share)),
         }
         figures["cut_classes"] = self.cut_classes
+        figures["beside_lines"] = {
+            "strength": self.sited.strength,
+            "breaks": self.sited.shares(cut),
+            "fuel": self.sited.shares(self.network.burnable),
+        }
         lost = self.after["value_lost"] if "value_lost" in self.after else self.after["fire_size"]
         figures["judged"] = judge(
             after,

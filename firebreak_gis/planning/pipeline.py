@@ -12,6 +12,9 @@ import numpy as np
 from firebreak_gis.breaks import Amount, Budget, BudgetUnit, select_breaks
 from firebreak_gis.construction.treatments import as_treatments, totals
 from firebreak_gis.evaluation.curves import ByBudget, evaluate_fires
+from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.masks import mask_plane
+from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.planning.budgets import default_budgets, few_budgets, reachable
 from firebreak_gis.planning.design import design
@@ -60,10 +63,18 @@ def plan(
     model: str = "alexandridis",
     model_params: Mapping[str, Any] | None = None,
     barriers: Plane | None = None,
+    roads: Any = None,
+    rivers: Plane | None = None,
     cost: Plane | None = None,
     protected: Plane | None = None,
+    aoi: Plane | None = None,
     value: Plane | None = None,
     ignition: Plane | None = None,
+    siting: float | None = None,
+    siting_params: Mapping[str, Any] | None = None,
+    max_slope: float | None = None,
+    near_roads: float | None = None,
+    beyond_roads: float | None = None,
     width: float | None = None,
     residual: float = 0.0,
     treatments: Any = None,
@@ -74,7 +85,6 @@ def plan(
     embers: Any = None,
     containment: Any = None,
     stations: Any = None,
-    roads: Any = None,
     crew_travel: Any = None,
     timeless: bool = False,
     refine: bool = False,
@@ -105,10 +115,21 @@ def plan(
     model, model_params
         Spread model and its parameters (wind), see `spread_network`.
     barriers
-        (y, x), above 0 on existing breaks, roads and rivers, see `stakes.with_barriers`.
+        (y, x), above 0 on existing breaks, roads and rivers that stop fire, see `stakes.with_barriers`.
+    roads
+        Roads and tracks: a file, lines, or (y, x) above 0. Beside them breaks are easier to build and to hold, and
+        crews from `stations` drive on them.
+    rivers
+        (y, x), above 0 on water, beside which breaks are easier to hold.
     cost, protected, value, ignition
         (y, x) cost of cutting each cell, where nothing may be cut, value at risk and where fires start, see
         `stakes.Stakes`.
+    aoi
+        (y, x), above 0 in the area that is planned for: nothing is cut outside, but fires burn there too.
+    siting, siting_params, max_slope, near_roads, beyond_roads
+        How much more a wall counts in bad ground than on a ridge, a road or the edge of the fuel (None: 1.5 on terrain
+        with relief; 0: all ground is alike, as in the paper), what that is made of, and where the ground rules out
+        cutting, see `landscape.sited.SitingRequest`.
     width
         Least width of the breaks [m]; rounded up to whole cells.
     residual
@@ -122,7 +143,7 @@ def plan(
         How often a stretch of break holds, how long fires burn, whether embers fly, and when crews contain fires, as in
         `simulate`. Where nothing is said fires burn 8 h in the median and breaks hold in 0.47 of fires
         (`judging.ASSUMED_DURATION`, `ASSUMED_HOLD`), which `Plan.judged` names.
-    stations, roads, crew_travel
+    stations, crew_travel
         Crews whom breaks wait for, as in `simulate`. No design knows them.
     barriers_hold
         How often a stretch of the barriers holds.
@@ -195,8 +216,11 @@ def plan(
         weather=WeatherRequest(weather),
         timeless=timeless,
         calendar=years or YearsRequest(),
+        siting=SitingRequest(siting, siting_params or {}, max_slope, near_roads, beyond_roads),
     )
-    planes = StakePlanes(barriers=barriers, cost=cost, protected=protected, value=value, ignition=ignition)
+    if roads is not None:
+        roads = mask_plane(roads, Grid.of(landscape["burnable"]), what="roads", rule="touched")
+    planes = StakePlanes(barriers, roads, rivers, aoi, cost, protected, value, ignition)
     return make_plan(landscape, request, planes, threads=threads, checked=checked, progress=progress)
 
 
@@ -232,12 +256,15 @@ def make_plan(
     request.require_calendar()
     scene = Scene.of(landscape, request.spread, request.weather.read(), account)
     landscape = account.added_to(landscape)
+    sited = request.siting.on(planes, scene.network, landscape["elevation"].to_numpy())
+    planes = sited.planes
     offers = None if asked.treatments is None else offers_of(landscape, asked.treatments, scene.network)
     leak = fires.leak if offers is None else offers.residual
     network, stakes = (planes if offers is None else priced(planes, offers, asked.amount)).on(scene.network)
     if planes.ignition is not None and fires.ignitions is None:
         fires = replace(fires, ignitions=stakes.ignition)
     judged = scene.judging(fires, timeless=request.timeless)
+    judged = replace(judged, sited=sited.told)
     starts: list[Ignitions] = []
 
     def start() -> Ignitions:
@@ -256,7 +283,7 @@ def make_plan(
         ignitions=start,
     )
     found.require()
-    found = replace(found, warnings=(*found.warnings, *judged.notes))
+    found = replace(found, account=(*found.account, *sited.account), warnings=(*found.warnings, *judged.notes))
     asked_fires, fires = judged.fires, replace(judged.fires, ignitions=starts[0])
     judged = replace(judged, fires=fires)
     if checked is not None:
@@ -270,7 +297,7 @@ def make_plan(
         "width": width_in_cells(asked.width, network.grid.cell_size),
         "params": asked.method_params,
         "elevation": landscape["elevation"].to_numpy(),
-        "roads": planes.roads(network),
+        "roads": planes.followed(network),
         "seed": fires.seed,
     }
 
@@ -376,6 +403,7 @@ def make_plan(
         request,
         share,
         found,
+        sited,
         treated,
         objectives,
         lines,

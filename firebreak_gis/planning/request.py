@@ -18,6 +18,7 @@ from firebreak_gis.construction.treatments import Treatments
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
+from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.planning.goals import Goal
 from firebreak_gis.planning.line_design import line_params
@@ -106,6 +107,8 @@ class PlanRequest:
         `fires` leaves open is assumed, see `judging`.
     calendar
         Over how many years it is built and kept up.
+    siting
+        How breaks are laid into the ground.
     layers, output
         What is read and written; None where the landscape is at hand, and the plan stays in memory.
     """
@@ -117,6 +120,7 @@ class PlanRequest:
     weather: WeatherRequest = field(default_factory=WeatherRequest)
     timeless: bool = False
     calendar: YearsRequest = field(default_factory=YearsRequest)
+    siting: SitingRequest = field(default_factory=SitingRequest)
     layers: LandscapeRequest | None = None
     output: OutputRequest | None = None
 

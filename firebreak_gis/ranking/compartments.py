@@ -2,8 +2,9 @@
 
 Bands of `width` cells lie `spacing` cells apart along `direction` and across it; enclosing squares of s cells takes
 2 / s of the land. By default the turn (0 or 45 degrees) and the shift with the least expected loss are taken, and the
-densest grid that the budget affords. Bands stop spread over corners. Middle bands come first, those of the two
-directions in turn, then the cells nearest to the bands. Cost: about 20 passes over the grid.
+densest grid that the budget affords. Bands stop spread over corners; where ground is better to hold beside them they
+bend to it, by up to a quarter of the spacing. Middle bands come first, those of the two directions in turn, then the
+cells nearest to the bands. Cost: about 20 passes over the grid.
 Source: compartments of a primary network, Oliveira, Barros, Ager, Fernandes 2016, doi 10.1071/WF15146.
 """
 

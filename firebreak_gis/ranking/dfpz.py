@@ -3,8 +3,9 @@
 Roads come first if given. Ridges are the lines on which the ways straight uphill meet: each cell counts the cells
 from which steepest ascent leads through it, on terrain smoothed over two cells, so that main ridges come before
 spurs. A band of `width` cells around them is cut in that order (Agee et al. advise about 400 m, with the fuel reduced
-rather than removed: judge it with a residual). Without `elevation` the terrain is guessed from the network: fire
-enters high ground more easily than it leaves it. Cost: one sort and a few passes over the grid.
+rather than removed: judge it with a residual). Ridges in ground that is hard to hold count as so much smaller. Without
+`elevation` the terrain is guessed from the network: fire enters high ground more easily than it leaves it. Cost: one
+sort and a few passes over the grid.
 Source: Agee et al. 2000, doi 10.1016/S0378-1127(99)00116-4.
 """
 
@@ -53,12 +54,14 @@ def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, p
 
     def standard(network: SpreadNetwork, stakes: Stakes, turn: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
         height = climb(network) if elevation is None else turn(elevation)
-        return zones(network, height, None if roads is None else turn(roads) > 0, params.width)
+        return zones(network, height, None if roads is None else turn(roads) > 0, params.width, stakes.difficulty)
 
     return in_standard_orientation(network, stakes, standard)
 
 
-def zones(network: SpreadNetwork, height: np.ndarray, roads: np.ndarray | None, width: int) -> np.ndarray:
+def zones(
+    network: SpreadNetwork, height: np.ndarray, roads: np.ndarray | None, width: int, difficulty: np.ndarray
+) -> np.ndarray:
     """Priority of every cell: roads, then ridges by size, each with the band around it; then by height."""
     from scipy import ndimage
 
@@ -66,7 +69,7 @@ def zones(network: SpreadNetwork, height: np.ndarray, roads: np.ndarray | None, 
     from firebreak_gis.placement.widening import offsets
 
     smooth = ndimage.gaussian_filter(np.nan_to_num(height.astype(np.float64)), 2.0, mode="nearest")
-    area = uphill_area(smooth)
+    area = uphill_area(smooth) / np.maximum(difficulty, 1.0)
     if roads is not None:
         area = np.where(roads, float(area.size + 1), area)
     shift = offsets(width)[0] + width // 2

@@ -3,7 +3,8 @@
 Rows of rectangles lie across the heading, each row moved so that its patches overlap those of the next. With patches
 of W cells along and L across the heading, rows S apart and an overlap of O, the share of the land treated is
 W L / ((W + S) 2 (L - O)); S follows from the budget. Patches with most fuel value come first, then the cells nearest
-to patches. Treated cells that still burn (residual above 0) are what the pattern was made for. Cost: a few passes.
+to patches. Where ground is better to hold a patch moves to it, along the heading by up to a quarter of S. Treated
+cells that still burn (residual above 0) are what the pattern was made for. Cost: a few passes.
 
 The pattern slows fires and leaves them a way round every patch. Where fires burn until they end by themselves, slowing
 them saves nothing. A pattern laid for a smaller budget than is cut therefore burns less: what is left goes to the
@@ -74,6 +75,7 @@ def rank(network: SpreadNetwork, params: Params, *, stakes: Stakes, seed: int, p
 
 
 def _patches_first(network: SpreadNetwork, params: Params, stakes: Stakes) -> np.ndarray:
+    from firebreak_gis.placement.bending import is_even, pushed
     from firebreak_gis.placement.patterns import pattern_first, prevailing, staggered_patches
 
     heading = prevailing(network) if params.direction is None else params.direction
@@ -89,5 +91,7 @@ def _patches_first(network: SpreadNetwork, params: Params, stakes: Stakes) -> np
     if cells.size == 0:
         return pattern_first(network, stakes, [])
     patches = np.split(cells, np.flatnonzero(np.diff(treated[cells])) + 1)
+    if not is_even(stakes):
+        patches = pushed(patches, network, stakes, heading, int(gap / 4.0))
     worth = np.array([stakes.value.ravel()[own].sum() for own in patches])
     return pattern_first(network, stakes, [patches[i] for i in np.argsort(-worth, kind="stable")])

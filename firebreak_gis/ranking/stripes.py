@@ -2,8 +2,9 @@
 
 Bands lie evenly spaced across `direction`, the heading of the fires expected; by default the one of eight headings,
 and the shift of the pattern, that leave the least expected loss (ignitions times values, by compartment). Bands stop
-spread over corners. The middle band comes first, then those that halve what is left, then the cells nearest to the
-bands, which widens them. Cost: about 30 passes over the grid.
+spread over corners; where ground is better to hold beside them they bend to it, by up to a quarter of the spacing. The
+middle band comes first, then those that halve what is left, then the cells nearest to the bands, which widens them.
+Cost: about 30 passes over the grid.
 Source: linear fuel breaks and their spacing, Finney 2001, doi 10.1093/forestscience/47.2.219.
 """
 

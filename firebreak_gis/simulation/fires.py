@@ -161,6 +161,7 @@ def simulate(
         roads=roads,
         crew_travel=None if crew_travel is None else as_travel(crew_travel),
     )
+    request.require_stations()
     return burn(
         network,
         request,

@@ -84,8 +84,19 @@ class FireRequest:
     crew_travel: Travel | None = None
 
     def __post_init__(self) -> None:
-        if self.stations is None and (self.roads is not None or self.crew_travel is not None):
-            raise ParameterError("roads and crew travel are for crews that come from stations; give --stations too")
+        if self.stations is None and self.crew_travel is not None:
+            raise ParameterError("crew travel is for crews that come from stations; give --stations too")
+
+    def require_stations(self) -> None:
+        """Refuse roads that nothing drives on; plans also go by them, see `landscape.sited`.
+
+        Raises
+        ------
+        ParameterError
+            Saying what to give.
+        """
+        if self.stations is None and self.roads is not None:
+            raise ParameterError("roads are for crews that come from stations; give --stations too")
 
     @property
     def timeless(self) -> bool:

@@ -101,9 +101,9 @@ FORMS = (
         "prepare",
         (*_LAYERS, "roads", "rivers"),
         ("OUTPUT_SUITABILITY",),
-        "Rate from 0 to 1 how well a line can be held in each cell: the weighted mean of landform (ridges and valley "
-        "bottoms), slope for machines, roads, rivers, edges of the fuel, and access.\n\n"
-        "The weights have no source for your region: they are yours to set.",
+        "Rate from 0 to 1 how well a line can be held in each cell: what the best line within reach is worth (ridges, "
+        "valley bottoms, roads, rivers, edges of the fuel), with the slope for machines and the access. Plans go by "
+        "it.\n\nThe weights have no source for your region: they are yours to set.",
         {"mean_suitability": "Mean suitability where there is fuel"},
         before="align",
         tags=("suitability", "ridge", "road", "access"),

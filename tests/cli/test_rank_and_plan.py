@@ -76,6 +76,44 @@ def test_every_method_ranks_as_it_plans(files, tmp_path, method, asked):
     np.testing.assert_array_equal(*masks)
 
 
+SITED = "--siting 2 --siting-param scales=60 --siting-param patch=1 --max-slope 25 --roads ROAD --near-roads 0.2km"
+
+
+@pytest.mark.parametrize("method", ["dissection", "stripes", "compartments", "splat", "dfpz", "random"])
+def test_every_method_ranks_as_it_plans_on_the_same_ground(files, tmp_path, method):
+    words = [str(files / "road.gpkg") if word == "ROAD" else word for word in SITED.split()]
+    words += ["--method", method, "--budget", "0.1"]
+    run("plan", *layers(files), "-o", tmp_path / "plan", "--runs", 2, *words)
+    told = run("rank", files / "network.tif", "-o", tmp_path / "p.tif", "--dem", layers(files)[0], *words).output
+    assert "farther than 200 m from roads, where nothing is cut" in told
+    run("rank", files / "network.tif", "-o", tmp_path / "off.tif", "--siting", 0, "--method", method)
+    planned, ranked, plain = (
+        read_variable(tmp_path / path, "priority") for path in ("plan/priority.tif", "p.tif", "off.tif")
+    )
+    np.testing.assert_array_equal(planned, ranked)
+    assert (np.isneginf(ranked) & ~np.isneginf(plain)).any()
+    # The account is a configuration that makes the same plan again.
+    run("plan", "--config", tmp_path / "plan/run.json", "-o", tmp_path / "again")
+    np.testing.assert_array_equal(read_variable(tmp_path / "again/priority.tif", "priority"), planned)
+
+
+def test_compare_and_evaluate_go_by_the_ground(files, tmp_path):
+    for command, extra in (("compare", ["--residuals", "0"]), ("evaluate", ["--baseline", "random"])):
+        words = ["--methods", "dissection,random", "--budgets", "0.1", "--runs", 8, "--dem", layers(files)[0], *extra]
+        for name, strength in (("off", 0), ("on", 3)):
+            siting = ["--siting", strength, "--siting-param", "patch=1"]
+            run(command, files / "network.tif", "-o", tmp_path / command / name, *words, *siting)
+        told = [json.loads((tmp_path / command / name / "run.json").read_text()) for name in ("off", "on")]
+        assert not any("Breaks keep to" in sentence for sentence in told[0]["assumptions"])
+        assert any("Breaks keep to" in sentence for sentence in told[1]["assumptions"])
+        table = {"compare": "comparison.csv", "evaluate": "evaluation.csv"}[command]
+        off, on = (pd.read_csv(tmp_path / command / name / table) for name in ("off", "on"))
+        rows = [frame[frame["method"] == "dissection"].drop(columns="method") for frame in (off, on)]
+        assert not rows[0].equals(rows[1])
+        same = [frame[frame["method"] == "random"]["R" if command == "compare" else "mean"] for frame in (off, on)]
+        np.testing.assert_array_equal(*same)
+
+
 @pytest.mark.parametrize("method", plugins.names("ranking"))
 def test_only_a_ranking_that_a_budget_changes_says_so(files, method):
     network = fb.read_network(files / "network.tif")

@@ -224,3 +224,34 @@ def test_breaks_are_paid_for_by_polygons_or_rasters_of_cost(place, tmp_path):
     cut = read(tmp_path / "b.tif")
     assert cut.sum() == 50
     assert cut[12:].any()
+
+
+def test_an_area_of_interest_limits_cuts_and_not_fires(plan, tmp_path):
+    aoi = drawn(tmp_path / "aoi.gpkg", shapely.box(5, 5, 15, 15))
+    text, breaks, out = plan("--aoi", aoi, "--budget", "0.05")
+    rows, cols = np.nonzero(breaks)
+    assert rows.size == round(0.05 * ROWS * COLS)
+    assert rows.min() >= 5
+    assert cols.min() >= 5
+    assert max(rows.max(), cols.max()) < 15
+    account = json.loads((out / "run.json").read_text())
+    assert account["summary"]["burnable_cells"] == ROWS * COLS
+    assert "Nothing is cut outside the area of interest." in account["assumptions"]
+    text, _, _ = plan("--aoi", aoi, "--budget", "0.5", code=2)
+    assert "lower the budget" in text
+
+
+def test_distances_from_roads_take_units(plan, tmp_path):
+    road = drawn(tmp_path / "road.gpkg", shapely.LineString([(10.5, 0), (10.5, ROWS)]))
+    _, breaks, _ = plan("--roads", road, "--near-roads", "0.08km", "--beyond-roads", "45m", "--budget", "0.1")
+    assert set(np.nonzero(breaks)[1]) <= {7, 6, 13, 14}
+    assert breaks.sum() == round(0.1 * ROWS * COLS)
+    for words, message in (
+        (["--near-roads", "80m"], "--roads"),
+        (["--roads", road, "--near-roads", "far"], "such as 50m"),
+        (["--roads", road, "--near-roads", "10m", "--beyond-roads", "20m"], "the larger"),
+        (["--max-slope", "100"], "--max-slope"),
+        (["--siting", "-1"], "strength"),
+    ):
+        text, _, _ = plan(*words, code=2)
+        assert message in text

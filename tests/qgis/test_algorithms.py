@@ -200,14 +200,14 @@ def test_segments(layers, reference, tmp_path):
 def test_siting(layers, data, reference, tmp_path):
     roads = str(data / "roads.gpkg")
     firebreak(
-        "siting", "--roads", roads, "--siting-param", "ridge=2", "-o", tmp_path / "c.tif", reference / "landscape"
+        "siting", "--roads", roads, "--siting-param", "ridge=0.8", "-o", tmp_path / "c.tif", reference / "landscape"
     )
     found = run(
         "siting",
         **layers,
         RESOLUTION=QUICK["RESOLUTION"],
         INPUT_ROADS=roads,
-        WEIGHTS="ridge=2",
+        SITING_PARAMS="ridge=0.8",
         OUTPUT_SUITABILITY=str(tmp_path / "s.tif"),
     )
     assert cells(found["OUTPUT_SUITABILITY"]) == cells(tmp_path / "c.tif")

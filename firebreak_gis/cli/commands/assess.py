@@ -161,6 +161,7 @@ def command(
     from firebreak_gis.progress import part
     from firebreak_gis.simulation.fires import burn, resolved
 
+    fires.require_stations()
     inputs = input_files([*files_of(network), mask, *fires.sources, *spread.sources, *weather.sources])
     how = require_outputs(output, OUTPUTS, inputs)
     laid = Account()

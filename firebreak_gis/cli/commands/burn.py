@@ -101,6 +101,7 @@ def command(
     from firebreak_gis.simulation.windows import SIDE, burn_windows, fuel_map
     from firebreak_gis.simulation.writing import product_files, size_table, write_products
 
+    fires.require_stations()
     folder = Path(network)
     given = [str(file) for file in folder.glob("*.tif")] if folder.is_dir() else [network]
     given += input_files([*spread.sources, *weather.sources])

@@ -17,6 +17,7 @@ from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import FirebreakError, ParameterError, raise_together
 from firebreak_gis.files.outputs import Output, Writing
 from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.manifest import account, told
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
@@ -150,6 +151,7 @@ OUTPUTS: tuple[Output[_Compared], ...] = (
 )
 @options.dem
 @stakes_options.stakes
+@stakes_options.siting
 @filters.where
 @options.fires
 @fire_options.judging
@@ -158,7 +160,14 @@ OUTPUTS: tuple[Output[_Compared], ...] = (
 @options.seed
 @options.fitting("compare")
 @options.common
-@built(output=OutputRequest, fires=FireRequest, spread=SpreadRequest, weather=WeatherRequest, at_stake=StakesRequest)
+@built(
+    output=OutputRequest,
+    fires=FireRequest,
+    spread=SpreadRequest,
+    weather=WeatherRequest,
+    at_stake=StakesRequest,
+    siting=SitingRequest,
+)
 def command(
     session: Session,
     network: str,
@@ -167,6 +176,7 @@ def command(
     spread: SpreadRequest,
     weather: WeatherRequest,
     at_stake: StakesRequest,
+    siting: SitingRequest,
     timeless: bool,
     method_list: list[parsing.Method],
     budgets: list[Budget],
@@ -206,15 +216,18 @@ def command(
     planes, read = read_stakes(
         at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions
     )
+    elevation = ridges(dem, untouched.grid)
+    sited = siting.on(planes, untouched, elevation)
+    planes = sited.planes
     barred, placed = planes.on(untouched)
     if planes.ignition is not None:
         fires = replace(fires, ignitions=planes.ignition)
-    judged = scene.judging(fires, timeless=timeless)
+    judged = replace(scene.judging(fires, timeless=timeless), sited=sited.told)
     fires = checked_fires(judged.fires, barred, session)
     for sentence in judged.notes:
         session.warn(sentence)
     _require_possible(barred, placed, method_list, budgets, residuals)
-    elevation, roads = ridges(dem, barred.grid), planes.roads(untouched)
+    roads = planes.followed(untouched)
     plans = {
         label: Designs(barred, method, stakes=placed, params=params, elevation=elevation, roads=roads, seed=fires.seed)
         for label, method, params in method_list

@@ -94,18 +94,8 @@ OUTPUTS: tuple[Output[_Delineated], ...] = (
     show_default=True,
     help="Number of times that the worst ground counts as much as the best, 1 to 100; 1 asks for the shortest borders.",
 )
-@click.option("--roads", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Roads and tracks (lines or a raster).")
-@click.option(
-    "--rivers", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Rivers and lakes (lines, areas, a raster)."
-)
-@click.option(
-    "--siting-param",
-    "weights",
-    callback=kinds.pairs,
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Weight or reach of a factor of the siting, such as ridge=2 or road_reach=60; may be repeated.",
-)
+@stakes_options.rivers
+@stakes_options.siting_params
 @stakes_options.values
 @filters.where
 @options.fires
@@ -126,9 +116,7 @@ def command(
     timeless: bool,
     size_ha: float,
     strength: float,
-    roads: str | None,
-    rivers: str | None,
-    weights: Mapping[str, Any],
+    siting_params: Mapping[str, Any],
 ) -> None:
     """Delineate the landscape in FOLDER (made by align): compartments bounded by the best control lines.
 
@@ -139,14 +127,13 @@ def command(
     from firebreak_gis.construction.delineations import delineate, square_suitability
     from firebreak_gis.files.outputs import write_all
     from firebreak_gis.landscape.folder import read_landscape_folder
-    from firebreak_gis.landscape.masks import mask_plane
     from firebreak_gis.landscape.siting import site
     from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.planning.scene import files_of, open_scene
     from firebreak_gis.progress import part
     from firebreak_gis.simulation.fires import burn
 
-    named = (roads, rivers, *fires.sources, *spread.sources, *weather.sources, *at_stake.sources)
+    named = (*fires.sources, *spread.sources, *weather.sources, *at_stake.sources)
     inputs = input_files([*files_of(folder), *named])
     how = require_outputs(output, OUTPUTS, inputs)
     laid = Account()
@@ -157,10 +144,7 @@ def command(
         at_stake, session, grid=network.grid, fuel=network.burnable, ignitions=fires.ignitions, landscape=landscape
     )
 
-    def laid_mask(source: str | None, what: str) -> Any:
-        return mask_plane(source, network.grid, what=what, rule="touched", account=laid) if source else None
-
-    sited = site(landscape, roads=laid_mask(roads, "roads"), rivers=laid_mask(rivers, "rivers"), **weights)
+    sited = site(landscape, roads=planes.roads, rivers=planes.rivers, **siting_params)
     tell(laid, session)
     judged = scene.judging(
         fires if planes.ignition is None else replace(fires, ignitions=planes.ignition), timeless=timeless

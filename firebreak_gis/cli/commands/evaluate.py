@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, parsing, weather_options
+from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, parsing, stakes_options, weather_options
 from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges, tell
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.outputs import Output, Writing
 from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.manifest import account
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
@@ -137,6 +138,7 @@ STEP = 8
 )
 @click.option("--alpha", type=float, default=0.01, show_default=True, help="Significance threshold.")
 @options.dem
+@stakes_options.siting
 @options.fires
 @fire_options.judging
 @weather_options.weather
@@ -145,7 +147,14 @@ STEP = 8
 @options.seed
 @options.fitting("evaluate")
 @options.common
-@built(output=OutputRequest, fires=FireRequest, spread=SpreadRequest, weather=WeatherRequest)
+@built(
+    output=OutputRequest,
+    fires=FireRequest,
+    spread=SpreadRequest,
+    weather=WeatherRequest,
+    at_stake=StakesRequest,
+    siting=SitingRequest,
+)
 def command(
     session: Session,
     network: str,
@@ -153,6 +162,8 @@ def command(
     fires: FireRequest,
     spread: SpreadRequest,
     weather: WeatherRequest,
+    at_stake: StakesRequest,
+    siting: SitingRequest,
     timeless: bool,
     method_list: list[parsing.Method],
     baseline: str,
@@ -184,25 +195,28 @@ def command(
         methods.append(parsing.Method(baseline, baseline, {}))
     for _, method, params in methods:
         build_params(load("ranking", method), params)
-    inputs = input_files([*files_of(network), dem, *fires.sources, *spread.sources, *weather.sources])
+    inputs = input_files(
+        [*files_of(network), dem, *fires.sources, *spread.sources, *weather.sources, *at_stake.sources]
+    )
     how = require_outputs(output, OUTPUTS, inputs)
     laid = Account()
     scene = open_scene(network, spread, weather, account=laid)
     tell(laid, session)
     untouched = scene.network
     planes, read = read_stakes(
-        StakesRequest(), session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions
+        at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions
     )
-    placed = planes.on(untouched)[1]
+    elevation = ridges(dem, untouched.grid)
+    sited = siting.on(planes, untouched, elevation)
+    placed = sited.planes.on(untouched)[1]
     if planes.ignition is not None:
         fires = replace(fires, ignitions=planes.ignition)
-    judged = scene.judging(fires, timeless=timeless)
+    judged = replace(scene.judging(fires, timeless=timeless), sited=sited.told)
     fires = checked_fires(judged.fires, untouched, session)
     for sentence in judged.notes:
         session.warn(sentence)
     usual = few_budgets(0.05, 0.1) if judged.reburnt else default_budgets()
     shares = sorted({budget.share(untouched) for budget in budgets}) if budgets else usual
-    elevation = ridges(dem, untouched.grid)
     # A curve needs each plan once, so only the last is kept.
     priorities = {
         label: Designs(untouched, method, stakes=placed, params=params, elevation=elevation, seed=fires.seed, keep=1)

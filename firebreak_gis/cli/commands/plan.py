@@ -24,6 +24,7 @@ from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
+from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.planning.outputs import OUTPUTS, write_plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
@@ -70,6 +71,7 @@ STEP = 1
 )
 @years_options.calendar
 @stakes_options.stakes
+@stakes_options.siting
 @filters.where
 @options.fires
 @fire_options.judging
@@ -87,6 +89,7 @@ STEP = 1
     weather=WeatherRequest,
     at_stake=StakesRequest,
     calendar=YearsRequest,
+    siting=SitingRequest,
 )
 def command(
     session: Session,
@@ -100,6 +103,7 @@ def command(
     weather: WeatherRequest,
     at_stake: StakesRequest,
     calendar: YearsRequest,
+    siting: SitingRequest,
     timeless: bool,
 ) -> None:
     """Plan fire breaks: DEM, VEGETATION and DENSITY rasters in, breaks and burn maps out.
@@ -113,7 +117,7 @@ def command(
     from firebreak_gis.planning.pipeline import make_plan
     from firebreak_gis.progress import part
 
-    request = PlanRequest(design, spread, fires, at_stake, weather, timeless, calendar, layers, output)
+    request = PlanRequest(design, spread, fires, at_stake, weather, timeless, calendar, siting, layers, output)
     require_possible(request)
     inputs = input_files(request.sources)
     how = require_outputs(output, OUTPUTS, inputs)

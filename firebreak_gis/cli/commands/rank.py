@@ -11,6 +11,7 @@ from firebreak_gis.cli.layers import input_files, read_stakes, ridges
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
+from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.planning.request import DesignRequest
 from firebreak_gis.simulation.request import FireRequest
@@ -28,11 +29,13 @@ STEP = 4
 @options.dem
 @options.ignition_map
 @stakes_options.stakes
+@stakes_options.roads
+@stakes_options.siting
 @filters.where
 @options.seed
 @options.fitting("rank")
 @options.common
-@built(output=OutputRequest, asked=DesignRequest, fires=FireRequest, at_stake=StakesRequest)
+@built(output=OutputRequest, asked=DesignRequest, fires=FireRequest, at_stake=StakesRequest, siting=SitingRequest)
 def command(
     session: Session,
     network: str,
@@ -40,6 +43,7 @@ def command(
     asked: DesignRequest,
     fires: FireRequest,
     at_stake: StakesRequest,
+    siting: SitingRequest,
     dem: str | None,
 ) -> None:
     """Rank the cells of NETWORK by the order in which they should be cut: higher is earlier.
@@ -60,9 +64,13 @@ def command(
     require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
     untouched = read_network(network)
     planes, _ = read_stakes(at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions)
-    barred, placed = planes.on(untouched)
+    elevation = ridges(dem, untouched.grid)
+    sited = siting.on(planes, untouched, elevation)
+    barred, placed = sited.planes.on(untouched)
     found = feasibility(barred, placed, budget=asked.amount, width=asked.width, residual=fires.leak)
     found.require()
+    for sentence in (*sited.told, *sited.account):
+        session.say(sentence)
     for sentence in found.warnings:
         session.warn(sentence)
     asked_for: dict[str, Any] = {
@@ -71,14 +79,19 @@ def command(
         "residual": fires.leak,
         "width": width_in_cells(asked.width, barred.grid.cell_size),
         "params": asked.method_params,
-        "elevation": ridges(dem, barred.grid),
-        "roads": planes.roads(barred),
+        "elevation": elevation,
+        "roads": planes.followed(barred),
         "seed": fires.seed,
     }
     session.foresee(Estimate({"ranking": ranking_seconds(barred, asked.method, **asked_for)}))
     priority = design(barred, asked.method, **asked_for, progress=part(session.progress, 0.02, 0.98))
     # What makes no difference is not told, so that equal rankings have equal files.
-    shaped = {"residual": fires.residual, "width": asked.width, "made_for": priority.attrs.get("made_for")}
+    shaped = {
+        "residual": fires.residual,
+        "width": asked.width,
+        "siting": sited.strength,
+        "made_for": priority.attrs.get("made_for"),
+    }
     parameters = {"method": asked.method, "method_params": asked.method_params}
     write_raster(
         output.output,

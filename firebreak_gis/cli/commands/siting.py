@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import kinds, options, outputs
+from firebreak_gis.cli import options, outputs, stakes_options
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
@@ -17,18 +17,9 @@ from firebreak_gis.files.request import OutputRequest
 @click.command("siting")
 @click.argument("folder", type=click.Path(file_okay=False))
 @outputs.output_file("Suitability GeoTIFF")
-@click.option("--roads", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Roads and tracks (lines or a raster).")
-@click.option(
-    "--rivers", type=kinds.VECTOR_OR_RASTER, metavar="PATH", help="Rivers and lakes (lines, areas, a raster)."
-)
-@click.option(
-    "--siting-param",
-    "weights",
-    callback=kinds.pairs,
-    multiple=True,
-    metavar="NAME=VALUE",
-    help="Weight or reach of a factor, such as ridge=2 or road_reach=60; may be repeated.",
-)
+@stakes_options.roads
+@stakes_options.rivers
+@stakes_options.siting_params
 @options.common
 @built(output=OutputRequest)
 def command(
@@ -37,13 +28,13 @@ def command(
     output: OutputRequest,
     roads: str | None,
     rivers: str | None,
-    weights: Mapping[str, Any],
+    siting_params: Mapping[str, Any],
 ) -> None:
     """Find where a line can be held in the landscape in FOLDER (made by align).
 
-    The suitability, from 0 to 1, is the weighted mean of landform (ridges and valley bottoms at several scales), slope
-    for machines, roads, rivers, edges of the fuel, and access. The weights have no source for your region: they are
-    parameters. From Python, `Stakes(difficulty=...)` lets walls keep to good ground.
+    The suitability, from 0 to 1, is what the best line is worth within reach (ridges, valley bottoms, roads, rivers,
+    edges of the fuel), with the slope for machines and the way for crews from the next road. The weights have no source
+    for your region: they are parameters. firebreak plan goes by it, see --siting there.
     """
     from firebreak_gis.files import require_writable
     from firebreak_gis.grid import Grid
@@ -62,7 +53,7 @@ def command(
         landscape,
         roads=mask_plane(roads, grid, what="roads", rule="touched") if roads else None,
         rivers=mask_plane(rivers, grid, what="rivers", rule="touched") if rivers else None,
-        **weights,
+        **siting_params,
     )
     factors = [name.removeprefix("suitability_") for name in map(str, found) if name != "suitability"]
     session.progress(0.7, "writing")
@@ -71,7 +62,7 @@ def command(
         found["suitability"],
         overwrite=output.overwrite,
         forbid=inputs,
-        provenance=provenance({"factors": factors, "weights": dict(weights)}),
+        provenance=provenance({"factors": factors, "siting_params": dict(siting_params)}),
         creation_options=output.creation_options,
     )
     mean = float(found["suitability"].where(landscape["burnable"]).mean())

@@ -428,8 +428,8 @@
         <translation>Wo eine Linie zu halten ist</translation>
     </message>
     <message>
-        <source>Rate from 0 to 1 how well a line can be held in each cell: the weighted mean of landform (ridges and valley bottoms), slope for machines, roads, rivers, edges of the fuel, and access.</source>
-        <translation>Bewertet von 0 bis 1, wie gut eine Linie in jeder Zelle zu halten ist: gewichtetes Mittel aus Geländeform (Kämme und Talböden), Hang für Maschinen, Wegen, Gewässern, Rändern des Brennstoffs und Zugang.</translation>
+        <source>Rate from 0 to 1 how well a line can be held in each cell: what the best line within reach is worth (ridges, valley bottoms, roads, rivers, edges of the fuel), with the slope for machines and the access. Plans go by it.</source>
+        <translation>Bewertet von 0 bis 1, wie gut eine Linie in jeder Zelle zu halten ist: was die beste Linie in Reichweite wert ist (Kämme, Talböden, Straßen, Flüsse, Ränder des Brennstoffs), dazu der Hang für Maschinen und der Zugang. Pläne richten sich danach.</translation>
     </message>
     <message>
         <source>The weights have no source for your region: they are yours to set.</source>
@@ -444,24 +444,24 @@
         <translation>Straßen und Wege</translation>
     </message>
     <message>
-        <source>Roads and tracks (lines or a raster).</source>
-        <translation>Straßen und Wege (Linien oder ein Raster).</translation>
+        <source>Roads and tracks (lines or a raster), beside which breaks are easier to build and to hold, and on which crews drive; those that stop fire are barriers too.</source>
+        <translation>Straßen und Wege (Linien oder ein Raster), neben denen Schneisen leichter zu bauen und zu halten sind, und auf denen die Mannschaften fahren; die Feuer aufhalten, sind auch Barrieren.</translation>
     </message>
     <message>
         <source>Rivers and lakes</source>
         <translation>Flüsse und Seen</translation>
     </message>
     <message>
-        <source>Rivers and lakes (lines, areas, a raster).</source>
-        <translation>Flüsse und Seen (Linien, Flächen, ein Raster).</translation>
+        <source>Rivers and lakes (lines, areas, a raster), beside which breaks are easier to hold; those that stop fire are barriers too.</source>
+        <translation>Flüsse und Seen (Linien, Flächen, ein Raster), neben denen Schneisen leichter zu halten sind; die Feuer aufhalten, sind auch Barrieren.</translation>
     </message>
     <message>
-        <source>Weights and reaches, such as ridge=2; road_reach=60</source>
-        <translation>Gewichte und Reichweiten, z. B. ridge=2; road_reach=60</translation>
+        <source>What lines of the ground are worth, such as ridge=0.8; reach=60</source>
+        <translation>Was Linien im Gelände wert sind, z. B. ridge=0.8; reach=60</translation>
     </message>
     <message>
-        <source>Weight or reach of a factor, such as ridge=2 or road_reach=60; several are separated by ;.</source>
-        <translation>Gewicht oder Reichweite eines Faktors, z. B. ridge=2 oder road_reach=60; mehrere durch ; getrennt.</translation>
+        <source>What a line is worth, or a reach, such as ridge=0.8, valley=0 or reach=60; several are separated by ;.</source>
+        <translation>Was eine Linie wert ist, oder eine Reichweite, z. B. ridge=0.8, valley=0 oder reach=60; mehrere durch ; getrennt.</translation>
     </message>
     <message>
         <source>Plan fire breaks</source>
@@ -852,6 +852,46 @@
         <translation>Mehrere gefährdete Werte, jeder als Name und Datei, dahinter nach Bedarf sein Feld, ein Gewicht (was eine Einheit in der Summe zählt, für die geplant wird) und as=density; mehrere durch ; getrennt, jeder wird mit Namen angegeben.</translation>
     </message>
     <message>
+        <source>Area of interest that is planned for</source>
+        <translation>Gebiet, für das geplant wird</translation>
+    </message>
+    <message>
+        <source>Area of interest (raster or polygons) that is planned for: nothing is cut outside, but fires start and burn there too.</source>
+        <translation>Gebiet (Raster oder Polygone), für das geplant wird: außerhalb wird nichts geschnitten, doch Feuer entstehen und brennen auch dort.</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in bad ground (0: all ground alike)</source>
+        <translation>Wieviel mehr eine Schneise in schlechtem Gelände zählt (0: alles gleich)</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in the worst ground than on a ridge, a road, a river or the edge of the fuel; 0: all ground alike, as in the paper [default: 1.5 where the terrain is known and has relief].</source>
+        <translation>Wieviel mehr eine Schneise im schlechtesten Gelände zählt als auf einem Kamm, an einer Straße, einem Fluss oder am Rand des Brennstoffs; 0: alles Gelände gleich, wie im Artikel [Vorgabe: 1.5, wo das Gelände bekannt ist und Relief hat].</translation>
+    </message>
+    <message>
+        <source>Steeper ground is not cut [degrees]</source>
+        <translation>Steileres Gelände wird nicht geschnitten [Grad]</translation>
+    </message>
+    <message>
+        <source>Ground that is steeper is not cut.</source>
+        <translation>Gelände, das steiler ist, wird nicht geschnitten.</translation>
+    </message>
+    <message>
+        <source>Cut only within this distance of roads, such as 200m</source>
+        <translation>Nur so nah an Straßen schneiden, z. B. 200m</translation>
+    </message>
+    <message>
+        <source>Only ground within this of a road is cut: 200m.</source>
+        <translation>Nur Gelände in dieser Entfernung von einer Straße wird geschnitten: 200m.</translation>
+    </message>
+    <message>
+        <source>Cut nothing within this distance of roads, such as 50m</source>
+        <translation>So nah an Straßen nichts schneiden, z. B. 50m</translation>
+    </message>
+    <message>
+        <source>Ground within this of a road is not cut: 50m.</source>
+        <translation>Gelände in dieser Entfernung von einer Straße wird nicht geschnitten: 50m.</translation>
+    </message>
+    <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
         <translation>Bedingungen an Objekte, z. B. barriers=highway = 'primary'</translation>
     </message>
@@ -938,10 +978,6 @@
     <message>
         <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
         <translation>Punkte oder Flächen, von denen Einsatzkräfte aufbrechen: ein Stück Schneise hält nur gegen Feuer, das nach ihnen kommt [sonst sind Einsatzkräfte überall].</translation>
-    </message>
-    <message>
-        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
-        <translation>Straßen, auf denen diese Einsatzkräfte fahren (Linien oder ein Raster) [sonst keine, alle Wege führen durchs Gelände].</translation>
     </message>
     <message>
         <source>Travel of crews, such as road=40,off=3,delay=10</source>

@@ -428,8 +428,8 @@
         <translation>Πού μπορεί να κρατηθεί μια γραμμή</translation>
     </message>
     <message>
-        <source>Rate from 0 to 1 how well a line can be held in each cell: the weighted mean of landform (ridges and valley bottoms), slope for machines, roads, rivers, edges of the fuel, and access.</source>
-        <translation>Βαθμολογεί από 0 έως 1 πόσο καλά μπορεί να κρατηθεί μια γραμμή σε κάθε κελί: σταθμισμένος μέσος της μορφής του εδάφους (ράχες και πυθμένες κοιλάδων), της κλίσης για μηχανήματα, των δρόμων, των ποταμών, των ορίων της καύσιμης ύλης και της πρόσβασης.</translation>
+        <source>Rate from 0 to 1 how well a line can be held in each cell: what the best line within reach is worth (ridges, valley bottoms, roads, rivers, edges of the fuel), with the slope for machines and the access. Plans go by it.</source>
+        <translation>Βαθμολογεί από 0 έως 1 πόσο καλά κρατιέται μια γραμμή σε κάθε κελί: όσο αξίζει η καλύτερη γραμμή κοντά (κορυφογραμμές, κοιλάδες, δρόμοι, ποτάμια, όρια της καύσιμης ύλης), με την κλίση για τα μηχανήματα και την πρόσβαση. Τα σχέδια το ακολουθούν.</translation>
     </message>
     <message>
         <source>The weights have no source for your region: they are yours to set.</source>
@@ -444,24 +444,24 @@
         <translation>Δρόμοι και δασόδρομοι</translation>
     </message>
     <message>
-        <source>Roads and tracks (lines or a raster).</source>
-        <translation>Δρόμοι και δασόδρομοι (γραμμές ή ψηφιδωτό).</translation>
+        <source>Roads and tracks (lines or a raster), beside which breaks are easier to build and to hold, and on which crews drive; those that stop fire are barriers too.</source>
+        <translation>Δρόμοι και μονοπάτια (γραμμές ή ράστερ), δίπλα στους οποίους οι ζώνες φτιάχνονται και κρατιούνται ευκολότερα, και στους οποίους κινούνται τα συνεργεία· όσοι σταματούν τη φωτιά είναι και εμπόδια.</translation>
     </message>
     <message>
         <source>Rivers and lakes</source>
         <translation>Ποτάμια και λίμνες</translation>
     </message>
     <message>
-        <source>Rivers and lakes (lines, areas, a raster).</source>
-        <translation>Ποτάμια και λίμνες (γραμμές, επιφάνειες, ψηφιδωτό).</translation>
+        <source>Rivers and lakes (lines, areas, a raster), beside which breaks are easier to hold; those that stop fire are barriers too.</source>
+        <translation>Ποτάμια και λίμνες (γραμμές, επιφάνειες, ράστερ), δίπλα στα οποία οι ζώνες κρατιούνται ευκολότερα· όσα σταματούν τη φωτιά είναι και εμπόδια.</translation>
     </message>
     <message>
-        <source>Weights and reaches, such as ridge=2; road_reach=60</source>
-        <translation>Συντελεστές και εμβέλειες, π.χ. ridge=2; road_reach=60</translation>
+        <source>What lines of the ground are worth, such as ridge=0.8; reach=60</source>
+        <translation>Τι αξίζουν οι γραμμές του εδάφους, π.χ. ridge=0.8; reach=60</translation>
     </message>
     <message>
-        <source>Weight or reach of a factor, such as ridge=2 or road_reach=60; several are separated by ;.</source>
-        <translation>Συντελεστής ή εμβέλεια ενός παράγοντα, π.χ. ridge=2 ή road_reach=60· πολλοί χωρίζονται με ;.</translation>
+        <source>What a line is worth, or a reach, such as ridge=0.8, valley=0 or reach=60; several are separated by ;.</source>
+        <translation>Τι αξίζει μια γραμμή, ή μια απόσταση, π.χ. ridge=0.8, valley=0 ή reach=60· πολλά χωρίζονται με ;.</translation>
     </message>
     <message>
         <source>Plan fire breaks</source>
@@ -852,6 +852,46 @@
         <translation>Πολλές αξίες σε κίνδυνο, καθεμία ως όνομα και αρχείο, και μετά, αν χρειάζεται, το πεδίο της, ένα βάρος (πόσο μετρά μια μονάδα στο άθροισμα για το οποίο γίνεται το σχέδιο) και as=density· πολλές χωρίζονται με ;, καθεμία δίνεται με το όνομά της.</translation>
     </message>
     <message>
+        <source>Area of interest that is planned for</source>
+        <translation>Περιοχή για την οποία γίνεται το σχέδιο</translation>
+    </message>
+    <message>
+        <source>Area of interest (raster or polygons) that is planned for: nothing is cut outside, but fires start and burn there too.</source>
+        <translation>Περιοχή (ράστερ ή πολύγωνα) για την οποία γίνεται το σχέδιο: έξω δεν κόβεται τίποτα, αλλά φωτιές ξεκινούν και καίνε κι εκεί.</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in bad ground (0: all ground alike)</source>
+        <translation>Πόσο περισσότερο μετρά μια ζώνη σε κακό έδαφος (0: όλο το έδαφος ίδιο)</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in the worst ground than on a ridge, a road, a river or the edge of the fuel; 0: all ground alike, as in the paper [default: 1.5 where the terrain is known and has relief].</source>
+        <translation>Πόσο περισσότερο μετρά μια ζώνη στο χειρότερο έδαφος απ' ό,τι σε κορυφογραμμή, δρόμο, ποτάμι ή στο όριο της καύσιμης ύλης· 0: όλο το έδαφος ίδιο, όπως στο άρθρο [προεπιλογή: 1.5 όπου το έδαφος είναι γνωστό και έχει ανάγλυφο].</translation>
+    </message>
+    <message>
+        <source>Steeper ground is not cut [degrees]</source>
+        <translation>Πιο απότομο έδαφος δεν κόβεται [μοίρες]</translation>
+    </message>
+    <message>
+        <source>Ground that is steeper is not cut.</source>
+        <translation>Έδαφος που είναι πιο απότομο δεν κόβεται.</translation>
+    </message>
+    <message>
+        <source>Cut only within this distance of roads, such as 200m</source>
+        <translation>Κοπή μόνο σε τόση απόσταση από δρόμους, π.χ. 200m</translation>
+    </message>
+    <message>
+        <source>Only ground within this of a road is cut: 200m.</source>
+        <translation>Κόβεται μόνο έδαφος σε τόση απόσταση από δρόμο: 200m.</translation>
+    </message>
+    <message>
+        <source>Cut nothing within this distance of roads, such as 50m</source>
+        <translation>Καμία κοπή σε τόση απόσταση από δρόμους, π.χ. 50m</translation>
+    </message>
+    <message>
+        <source>Ground within this of a road is not cut: 50m.</source>
+        <translation>Έδαφος σε τόση απόσταση από δρόμο δεν κόβεται: 50m.</translation>
+    </message>
+    <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
         <translation>Συνθήκες για στοιχεία, π.χ. barriers=highway = 'primary'</translation>
     </message>
@@ -938,10 +978,6 @@
     <message>
         <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
         <translation>Σημεία ή περιοχές από όπου ξεκινούν τα συνεργεία: ένα κομμάτι ζώνης κρατά μόνο απέναντι σε φωτιά που έρχεται μετά από αυτά [αλλιώς τα συνεργεία είναι παντού].</translation>
-    </message>
-    <message>
-        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
-        <translation>Δρόμοι στους οποίους κινούνται αυτά τα συνεργεία (γραμμές ή ψηφιδωτό) [αλλιώς κανένας, όλες οι διαδρομές είναι εκτός δρόμου].</translation>
     </message>
     <message>
         <source>Travel of crews, such as road=40,off=3,delay=10</source>

@@ -428,8 +428,8 @@
         <translation>Dónde se puede defender una línea</translation>
     </message>
     <message>
-        <source>Rate from 0 to 1 how well a line can be held in each cell: the weighted mean of landform (ridges and valley bottoms), slope for machines, roads, rivers, edges of the fuel, and access.</source>
-        <translation>Valora de 0 a 1 lo bien que se puede defender una línea en cada celda: media ponderada de la forma del terreno (crestas y fondos de valle), pendiente para máquinas, caminos, ríos, bordes del combustible y acceso.</translation>
+        <source>Rate from 0 to 1 how well a line can be held in each cell: what the best line within reach is worth (ridges, valley bottoms, roads, rivers, edges of the fuel), with the slope for machines and the access. Plans go by it.</source>
+        <translation>Valora de 0 a 1 lo bien que se puede defender una línea en cada celda: lo que vale la mejor línea al alcance (crestas, fondos de valle, carreteras, ríos, bordes del combustible), con la pendiente para las máquinas y el acceso. Los planes lo siguen.</translation>
     </message>
     <message>
         <source>The weights have no source for your region: they are yours to set.</source>
@@ -444,24 +444,24 @@
         <translation>Carreteras y pistas</translation>
     </message>
     <message>
-        <source>Roads and tracks (lines or a raster).</source>
-        <translation>Carreteras y pistas (líneas o un ráster).</translation>
+        <source>Roads and tracks (lines or a raster), beside which breaks are easier to build and to hold, and on which crews drive; those that stop fire are barriers too.</source>
+        <translation>Carreteras y pistas (líneas o un ráster), junto a las que los cortafuegos son más fáciles de construir y defender, y por las que van los equipos; las que detienen el fuego son también barreras.</translation>
     </message>
     <message>
         <source>Rivers and lakes</source>
         <translation>Ríos y lagos</translation>
     </message>
     <message>
-        <source>Rivers and lakes (lines, areas, a raster).</source>
-        <translation>Ríos y lagos (líneas, áreas, un ráster).</translation>
+        <source>Rivers and lakes (lines, areas, a raster), beside which breaks are easier to hold; those that stop fire are barriers too.</source>
+        <translation>Ríos y lagos (líneas, áreas, un ráster), junto a los que los cortafuegos son más fáciles de defender; los que detienen el fuego son también barreras.</translation>
     </message>
     <message>
-        <source>Weights and reaches, such as ridge=2; road_reach=60</source>
-        <translation>Pesos y alcances, p. ej. ridge=2; road_reach=60</translation>
+        <source>What lines of the ground are worth, such as ridge=0.8; reach=60</source>
+        <translation>Lo que valen las líneas del terreno, p. ej. ridge=0.8; reach=60</translation>
     </message>
     <message>
-        <source>Weight or reach of a factor, such as ridge=2 or road_reach=60; several are separated by ;.</source>
-        <translation>Peso o alcance de un factor, p. ej. ridge=2 o road_reach=60; varios se separan con ;.</translation>
+        <source>What a line is worth, or a reach, such as ridge=0.8, valley=0 or reach=60; several are separated by ;.</source>
+        <translation>Lo que vale una línea, o un alcance, p. ej. ridge=0.8, valley=0 o reach=60; varios se separan con ;.</translation>
     </message>
     <message>
         <source>Plan fire breaks</source>
@@ -852,6 +852,46 @@
         <translation>Varios valores en riesgo, cada uno como nombre y archivo, seguido si hace falta de su campo, un peso (lo que cuenta una unidad en la suma para la que se planifica) y as=density; varios se separan con ;, cada uno se da por su nombre.</translation>
     </message>
     <message>
+        <source>Area of interest that is planned for</source>
+        <translation>Área de interés para la que se planifica</translation>
+    </message>
+    <message>
+        <source>Area of interest (raster or polygons) that is planned for: nothing is cut outside, but fires start and burn there too.</source>
+        <translation>Área de interés (ráster o polígonos) para la que se planifica: fuera no se corta nada, pero los fuegos empiezan y arden también allí.</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in bad ground (0: all ground alike)</source>
+        <translation>Cuánto más cuenta un cortafuegos en mal terreno (0: todo igual)</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in the worst ground than on a ridge, a road, a river or the edge of the fuel; 0: all ground alike, as in the paper [default: 1.5 where the terrain is known and has relief].</source>
+        <translation>Cuánto más cuenta un cortafuegos en el peor terreno que en una cresta, una carretera, un río o el borde del combustible; 0: todo el terreno igual, como en el artículo [por defecto: 1.5 donde el terreno se conoce y tiene relieve].</translation>
+    </message>
+    <message>
+        <source>Steeper ground is not cut [degrees]</source>
+        <translation>El terreno más empinado no se corta [grados]</translation>
+    </message>
+    <message>
+        <source>Ground that is steeper is not cut.</source>
+        <translation>El terreno que es más empinado no se corta.</translation>
+    </message>
+    <message>
+        <source>Cut only within this distance of roads, such as 200m</source>
+        <translation>Cortar solo a esta distancia de carreteras, p. ej. 200m</translation>
+    </message>
+    <message>
+        <source>Only ground within this of a road is cut: 200m.</source>
+        <translation>Solo se corta el terreno a esta distancia de una carretera: 200m.</translation>
+    </message>
+    <message>
+        <source>Cut nothing within this distance of roads, such as 50m</source>
+        <translation>No cortar nada a esta distancia de carreteras, p. ej. 50m</translation>
+    </message>
+    <message>
+        <source>Ground within this of a road is not cut: 50m.</source>
+        <translation>El terreno a esta distancia de una carretera no se corta: 50m.</translation>
+    </message>
+    <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
         <translation>Condiciones sobre objetos, p. ej. barriers=highway = 'primary'</translation>
     </message>
@@ -938,10 +978,6 @@
     <message>
         <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
         <translation>Puntos o áreas de donde salen los medios: un trozo de cortafuegos solo aguanta ante el fuego que llega después de ellos [si no, hay medios en todas partes].</translation>
-    </message>
-    <message>
-        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
-        <translation>Carreteras por las que van estos medios (líneas o un ráster) [si no, ninguna, todo el camino es campo a través].</translation>
     </message>
     <message>
         <source>Travel of crews, such as road=40,off=3,delay=10</source>

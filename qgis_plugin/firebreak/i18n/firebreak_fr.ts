@@ -428,8 +428,8 @@
         <translation>Où une ligne peut être tenue</translation>
     </message>
     <message>
-        <source>Rate from 0 to 1 how well a line can be held in each cell: the weighted mean of landform (ridges and valley bottoms), slope for machines, roads, rivers, edges of the fuel, and access.</source>
-        <translation>Note de 0 à 1 à quel point une ligne peut être tenue dans chaque cellule : moyenne pondérée de la forme du terrain (crêtes et fonds de vallée), de la pente pour les engins, des routes, des rivières, des lisières du combustible et de l'accès.</translation>
+        <source>Rate from 0 to 1 how well a line can be held in each cell: what the best line within reach is worth (ridges, valley bottoms, roads, rivers, edges of the fuel), with the slope for machines and the access. Plans go by it.</source>
+        <translation>Note de 0 à 1 si une ligne peut être tenue dans chaque cellule : ce que vaut la meilleure ligne à portée (crêtes, fonds de vallée, routes, rivières, bords du combustible), avec la pente pour les engins et l'accès. Les plans la suivent.</translation>
     </message>
     <message>
         <source>The weights have no source for your region: they are yours to set.</source>
@@ -444,24 +444,24 @@
         <translation>Routes et pistes</translation>
     </message>
     <message>
-        <source>Roads and tracks (lines or a raster).</source>
-        <translation>Routes et pistes (lignes ou un raster).</translation>
+        <source>Roads and tracks (lines or a raster), beside which breaks are easier to build and to hold, and on which crews drive; those that stop fire are barriers too.</source>
+        <translation>Routes et pistes (lignes ou raster), le long desquelles les coupures sont plus faciles à ouvrir et à tenir, et que prennent les équipes ; celles qui arrêtent le feu sont aussi des barrières.</translation>
     </message>
     <message>
         <source>Rivers and lakes</source>
         <translation>Rivières et lacs</translation>
     </message>
     <message>
-        <source>Rivers and lakes (lines, areas, a raster).</source>
-        <translation>Rivières et lacs (lignes, surfaces, un raster).</translation>
+        <source>Rivers and lakes (lines, areas, a raster), beside which breaks are easier to hold; those that stop fire are barriers too.</source>
+        <translation>Rivières et lacs (lignes, surfaces, raster), le long desquels les coupures sont plus faciles à tenir ; ceux qui arrêtent le feu sont aussi des barrières.</translation>
     </message>
     <message>
-        <source>Weights and reaches, such as ridge=2; road_reach=60</source>
-        <translation>Poids et portées, p. ex. ridge=2; road_reach=60</translation>
+        <source>What lines of the ground are worth, such as ridge=0.8; reach=60</source>
+        <translation>Ce que valent les lignes du terrain, p. ex. ridge=0.8; reach=60</translation>
     </message>
     <message>
-        <source>Weight or reach of a factor, such as ridge=2 or road_reach=60; several are separated by ;.</source>
-        <translation>Poids ou portée d'un facteur, p. ex. ridge=2 ou road_reach=60 ; plusieurs se séparent par ;.</translation>
+        <source>What a line is worth, or a reach, such as ridge=0.8, valley=0 or reach=60; several are separated by ;.</source>
+        <translation>Ce que vaut une ligne, ou une portée, p. ex. ridge=0.8, valley=0 ou reach=60 ; plusieurs sont séparés par ;.</translation>
     </message>
     <message>
         <source>Plan fire breaks</source>
@@ -852,6 +852,46 @@
         <translation>Plusieurs enjeux, chacun comme nom et fichier, suivi au besoin de son champ, d'un poids (ce que compte une unité dans la somme pour laquelle on planifie) et de as=density ; plusieurs se séparent par ;, chacun est donné par son nom.</translation>
     </message>
     <message>
+        <source>Area of interest that is planned for</source>
+        <translation>Zone d'intérêt pour laquelle on planifie</translation>
+    </message>
+    <message>
+        <source>Area of interest (raster or polygons) that is planned for: nothing is cut outside, but fires start and burn there too.</source>
+        <translation>Zone d'intérêt (raster ou polygones) pour laquelle on planifie : rien n'est coupé en dehors, mais des feux y partent et y brûlent aussi.</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in bad ground (0: all ground alike)</source>
+        <translation>De combien une coupure compte plus en mauvais terrain (0 : tout égal)</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in the worst ground than on a ridge, a road, a river or the edge of the fuel; 0: all ground alike, as in the paper [default: 1.5 where the terrain is known and has relief].</source>
+        <translation>De combien une coupure compte plus dans le pire terrain que sur une crête, une route, une rivière ou le bord du combustible ; 0 : tout terrain égal, comme dans l'article [par défaut : 1.5 où le terrain est connu et a du relief].</translation>
+    </message>
+    <message>
+        <source>Steeper ground is not cut [degrees]</source>
+        <translation>Le terrain plus raide n'est pas coupé [degrés]</translation>
+    </message>
+    <message>
+        <source>Ground that is steeper is not cut.</source>
+        <translation>Le terrain qui est plus raide n'est pas coupé.</translation>
+    </message>
+    <message>
+        <source>Cut only within this distance of roads, such as 200m</source>
+        <translation>Ne couper qu'à cette distance des routes, p. ex. 200m</translation>
+    </message>
+    <message>
+        <source>Only ground within this of a road is cut: 200m.</source>
+        <translation>Seul le terrain à cette distance d'une route est coupé : 200m.</translation>
+    </message>
+    <message>
+        <source>Cut nothing within this distance of roads, such as 50m</source>
+        <translation>Ne rien couper à cette distance des routes, p. ex. 50m</translation>
+    </message>
+    <message>
+        <source>Ground within this of a road is not cut: 50m.</source>
+        <translation>Le terrain à cette distance d'une route n'est pas coupé : 50m.</translation>
+    </message>
+    <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
         <translation>Conditions sur les entités, p. ex. barriers=highway = 'primary'</translation>
     </message>
@@ -938,10 +978,6 @@
     <message>
         <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
         <translation>Points ou zones d'où partent les secours : un morceau de pare-feu ne tient que contre le feu qui arrive après eux [sinon les secours sont partout].</translation>
-    </message>
-    <message>
-        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
-        <translation>Routes qu'empruntent ces secours (lignes ou un raster) [sinon aucune, tous les trajets sont hors route].</translation>
     </message>
     <message>
         <source>Travel of crews, such as road=40,off=3,delay=10</source>

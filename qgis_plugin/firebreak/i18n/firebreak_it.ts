@@ -428,8 +428,8 @@
         <translation>Dove si può tenere una linea</translation>
     </message>
     <message>
-        <source>Rate from 0 to 1 how well a line can be held in each cell: the weighted mean of landform (ridges and valley bottoms), slope for machines, roads, rivers, edges of the fuel, and access.</source>
-        <translation>Valuta da 0 a 1 quanto bene si può tenere una linea in ogni cella: media pesata di forma del terreno (crinali e fondovalle), pendenza per le macchine, strade, fiumi, margini del combustibile e accesso.</translation>
+        <source>Rate from 0 to 1 how well a line can be held in each cell: what the best line within reach is worth (ridges, valley bottoms, roads, rivers, edges of the fuel), with the slope for machines and the access. Plans go by it.</source>
+        <translation>Valuta da 0 a 1 quanto bene si può tenere una linea in ogni cella: quanto vale la migliore linea a portata (creste, fondivalle, strade, fiumi, margini del combustibile), con la pendenza per le macchine e l'accesso. I piani la seguono.</translation>
     </message>
     <message>
         <source>The weights have no source for your region: they are yours to set.</source>
@@ -444,24 +444,24 @@
         <translation>Strade e piste</translation>
     </message>
     <message>
-        <source>Roads and tracks (lines or a raster).</source>
-        <translation>Strade e piste (linee o un raster).</translation>
+        <source>Roads and tracks (lines or a raster), beside which breaks are easier to build and to hold, and on which crews drive; those that stop fire are barriers too.</source>
+        <translation>Strade e piste (linee o un raster), lungo le quali le fasce sono più facili da costruire e da tenere, e che le squadre percorrono; quelle che fermano il fuoco sono anche barriere.</translation>
     </message>
     <message>
         <source>Rivers and lakes</source>
         <translation>Fiumi e laghi</translation>
     </message>
     <message>
-        <source>Rivers and lakes (lines, areas, a raster).</source>
-        <translation>Fiumi e laghi (linee, aree, un raster).</translation>
+        <source>Rivers and lakes (lines, areas, a raster), beside which breaks are easier to hold; those that stop fire are barriers too.</source>
+        <translation>Fiumi e laghi (linee, aree, un raster), lungo i quali le fasce sono più facili da tenere; quelli che fermano il fuoco sono anche barriere.</translation>
     </message>
     <message>
-        <source>Weights and reaches, such as ridge=2; road_reach=60</source>
-        <translation>Pesi e raggi, ad es. ridge=2; road_reach=60</translation>
+        <source>What lines of the ground are worth, such as ridge=0.8; reach=60</source>
+        <translation>Quanto valgono le linee del terreno, p. es. ridge=0.8; reach=60</translation>
     </message>
     <message>
-        <source>Weight or reach of a factor, such as ridge=2 or road_reach=60; several are separated by ;.</source>
-        <translation>Peso o raggio di un fattore, ad es. ridge=2 o road_reach=60; più valori si separano con ;.</translation>
+        <source>What a line is worth, or a reach, such as ridge=0.8, valley=0 or reach=60; several are separated by ;.</source>
+        <translation>Quanto vale una linea, o una distanza, p. es. ridge=0.8, valley=0 o reach=60; più di uno si separano con ;.</translation>
     </message>
     <message>
         <source>Plan fire breaks</source>
@@ -852,6 +852,46 @@
         <translation>Più valori a rischio, ciascuno come nome e file, seguito se serve dal suo campo, da un peso (quanto conta un'unità nella somma per cui si pianifica) e da as=density; più valori si separano con ;, ciascuno è detto per nome.</translation>
     </message>
     <message>
+        <source>Area of interest that is planned for</source>
+        <translation>Area di interesse per cui si pianifica</translation>
+    </message>
+    <message>
+        <source>Area of interest (raster or polygons) that is planned for: nothing is cut outside, but fires start and burn there too.</source>
+        <translation>Area di interesse (raster o poligoni) per cui si pianifica: fuori non si taglia nulla, ma gli incendi partono e bruciano anche lì.</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in bad ground (0: all ground alike)</source>
+        <translation>Quanto più conta una fascia su terreno cattivo (0: tutto uguale)</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in the worst ground than on a ridge, a road, a river or the edge of the fuel; 0: all ground alike, as in the paper [default: 1.5 where the terrain is known and has relief].</source>
+        <translation>Quanto più conta una fascia sul terreno peggiore che su una cresta, una strada, un fiume o il margine del combustibile; 0: tutto il terreno uguale, come nell'articolo [predefinito: 1.5 dove il terreno è noto e ha rilievo].</translation>
+    </message>
+    <message>
+        <source>Steeper ground is not cut [degrees]</source>
+        <translation>Il terreno più ripido non si taglia [gradi]</translation>
+    </message>
+    <message>
+        <source>Ground that is steeper is not cut.</source>
+        <translation>Il terreno che è più ripido non si taglia.</translation>
+    </message>
+    <message>
+        <source>Cut only within this distance of roads, such as 200m</source>
+        <translation>Tagliare solo entro questa distanza dalle strade, p. es. 200m</translation>
+    </message>
+    <message>
+        <source>Only ground within this of a road is cut: 200m.</source>
+        <translation>Si taglia solo il terreno entro questa distanza da una strada: 200m.</translation>
+    </message>
+    <message>
+        <source>Cut nothing within this distance of roads, such as 50m</source>
+        <translation>Non tagliare nulla entro questa distanza dalle strade, p. es. 50m</translation>
+    </message>
+    <message>
+        <source>Ground within this of a road is not cut: 50m.</source>
+        <translation>Il terreno entro questa distanza da una strada non si taglia: 50m.</translation>
+    </message>
+    <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
         <translation>Condizioni sugli elementi, ad es. barriers=highway = 'primary'</translation>
     </message>
@@ -938,10 +978,6 @@
     <message>
         <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
         <translation>Punti o aree da cui partono le squadre: un pezzo di viale tiene solo contro il fuoco che arriva dopo di loro [altrimenti le squadre sono ovunque].</translation>
-    </message>
-    <message>
-        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
-        <translation>Strade su cui viaggiano queste squadre (linee o un raster) [altrimenti nessuna, tutti i percorsi sono fuori strada].</translation>
     </message>
     <message>
         <source>Travel of crews, such as road=40,off=3,delay=10</source>

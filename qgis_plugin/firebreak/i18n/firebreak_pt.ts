@@ -428,8 +428,8 @@
         <translation>Onde se pode defender uma linha</translation>
     </message>
     <message>
-        <source>Rate from 0 to 1 how well a line can be held in each cell: the weighted mean of landform (ridges and valley bottoms), slope for machines, roads, rivers, edges of the fuel, and access.</source>
-        <translation>Classifica de 0 a 1 quão bem se pode defender uma linha em cada célula: média ponderada da forma do terreno (cumeadas e fundos de vale), declive para máquinas, caminhos, rios, bordos do combustível e acesso.</translation>
+        <source>Rate from 0 to 1 how well a line can be held in each cell: what the best line within reach is worth (ridges, valley bottoms, roads, rivers, edges of the fuel), with the slope for machines and the access. Plans go by it.</source>
+        <translation>Avalia de 0 a 1 quão bem se pode defender uma linha em cada célula: o que vale a melhor linha ao alcance (cristas, fundos de vale, estradas, rios, bordas do combustível), com o declive para as máquinas e o acesso. Os planos seguem-na.</translation>
     </message>
     <message>
         <source>The weights have no source for your region: they are yours to set.</source>
@@ -444,24 +444,24 @@
         <translation>Estradas e caminhos</translation>
     </message>
     <message>
-        <source>Roads and tracks (lines or a raster).</source>
-        <translation>Estradas e caminhos (linhas ou um raster).</translation>
+        <source>Roads and tracks (lines or a raster), beside which breaks are easier to build and to hold, and on which crews drive; those that stop fire are barriers too.</source>
+        <translation>Estradas e caminhos (linhas ou um raster), junto dos quais as faixas são mais fáceis de construir e defender, e por onde vão as equipas; os que param o fogo são também barreiras.</translation>
     </message>
     <message>
         <source>Rivers and lakes</source>
         <translation>Rios e lagos</translation>
     </message>
     <message>
-        <source>Rivers and lakes (lines, areas, a raster).</source>
-        <translation>Rios e lagos (linhas, áreas, um raster).</translation>
+        <source>Rivers and lakes (lines, areas, a raster), beside which breaks are easier to hold; those that stop fire are barriers too.</source>
+        <translation>Rios e lagos (linhas, áreas, um raster), junto dos quais as faixas são mais fáceis de defender; os que param o fogo são também barreiras.</translation>
     </message>
     <message>
-        <source>Weights and reaches, such as ridge=2; road_reach=60</source>
-        <translation>Pesos e alcances, p. ex. ridge=2; road_reach=60</translation>
+        <source>What lines of the ground are worth, such as ridge=0.8; reach=60</source>
+        <translation>O que valem as linhas do terreno, p. ex. ridge=0.8; reach=60</translation>
     </message>
     <message>
-        <source>Weight or reach of a factor, such as ridge=2 or road_reach=60; several are separated by ;.</source>
-        <translation>Peso ou alcance de um fator, p. ex. ridge=2 ou road_reach=60; vários separam-se com ;.</translation>
+        <source>What a line is worth, or a reach, such as ridge=0.8, valley=0 or reach=60; several are separated by ;.</source>
+        <translation>O que vale uma linha, ou um alcance, p. ex. ridge=0.8, valley=0 ou reach=60; vários separam-se com ;.</translation>
     </message>
     <message>
         <source>Plan fire breaks</source>
@@ -852,6 +852,46 @@
         <translation>Vários valores em risco, cada um como nome e ficheiro, seguido se preciso do seu campo, um peso (o que uma unidade conta na soma para que se planeia) e as=density; vários separam-se com ;, cada um é dado pelo nome.</translation>
     </message>
     <message>
+        <source>Area of interest that is planned for</source>
+        <translation>Área de interesse para a qual se planeia</translation>
+    </message>
+    <message>
+        <source>Area of interest (raster or polygons) that is planned for: nothing is cut outside, but fires start and burn there too.</source>
+        <translation>Área de interesse (raster ou polígonos) para a qual se planeia: fora nada é cortado, mas os fogos também começam e ardem aí.</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in bad ground (0: all ground alike)</source>
+        <translation>Quanto mais conta uma faixa em mau terreno (0: tudo igual)</translation>
+    </message>
+    <message>
+        <source>How much more a break counts in the worst ground than on a ridge, a road, a river or the edge of the fuel; 0: all ground alike, as in the paper [default: 1.5 where the terrain is known and has relief].</source>
+        <translation>Quanto mais conta uma faixa no pior terreno do que numa crista, numa estrada, num rio ou na borda do combustível; 0: todo o terreno igual, como no artigo [por omissão: 1.5 onde o terreno é conhecido e tem relevo].</translation>
+    </message>
+    <message>
+        <source>Steeper ground is not cut [degrees]</source>
+        <translation>O terreno mais íngreme não é cortado [graus]</translation>
+    </message>
+    <message>
+        <source>Ground that is steeper is not cut.</source>
+        <translation>O terreno que é mais íngreme não é cortado.</translation>
+    </message>
+    <message>
+        <source>Cut only within this distance of roads, such as 200m</source>
+        <translation>Cortar só a esta distância de estradas, p. ex. 200m</translation>
+    </message>
+    <message>
+        <source>Only ground within this of a road is cut: 200m.</source>
+        <translation>Só é cortado o terreno a esta distância de uma estrada: 200m.</translation>
+    </message>
+    <message>
+        <source>Cut nothing within this distance of roads, such as 50m</source>
+        <translation>Nada cortar a esta distância de estradas, p. ex. 50m</translation>
+    </message>
+    <message>
+        <source>Ground within this of a road is not cut: 50m.</source>
+        <translation>O terreno a esta distância de uma estrada não é cortado: 50m.</translation>
+    </message>
+    <message>
         <source>Conditions on features, such as barriers=highway = 'primary'</source>
         <translation>Condições sobre elementos, p. ex. barriers=highway = 'primary'</translation>
     </message>
@@ -938,10 +978,6 @@
     <message>
         <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
         <translation>Pontos ou áreas de onde partem os meios: um trecho de aceiro só segura o fogo que chega depois deles [senão, há meios em toda a parte].</translation>
-    </message>
-    <message>
-        <source>Roads that these crews drive on (lines or a raster) [default: none, all ways are off roads].</source>
-        <translation>Estradas em que estes meios circulam (linhas ou um raster) [senão, nenhuma, todo o caminho é fora de estrada].</translation>
     </message>
     <message>
         <source>Travel of crews, such as road=40,off=3,delay=10</source>
