@@ -141,6 +141,14 @@ def test_gaps_start_at_loose_ends_alone():
     assert (0, 1, 80.0) in pairs or (1, 0, 80.0) in pairs
     assert left_out == 0
     assert all(length <= 200.0 for *_, length in pairs)
+    # Where a break ends beside another nothing is open, whatever lies near.
+    burnable[:, 14] = False
+    meeting = standing(lines(line((5, 2), (5, 12)), line((6, 11), (14, 11))))
+    open_ends, _ = find_gaps(meeting, burnable, GRID, longest=200.0, most=10)
+    starts = {shapely.get_coordinates(shape)[0].tolist()[1] for shape in open_ends.frame.geometry}
+    assert 4_000_000 - SIDE * 6.5 not in starts
+    assert 4_000_000 - SIDE * 14.5 in starts
+    burnable[:, 14] = True
     fewer, more = find_gaps(standing(WALL), burnable, GRID, longest=200.0, most=1)
     assert len(fewer.cells) == 1
     assert more == len(pairs) - 1
