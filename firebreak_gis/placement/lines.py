@@ -71,7 +71,7 @@ class LineCut:
 
 @dataclass(frozen=True)
 class _Field:
-    """The landscape while it is split; planes are flat. `links` loses those that walls cross."""
+    """What does not change while the landscape is split; planes are flat."""
 
     shape: tuple[int, int]
     links: np.ndarray
@@ -127,7 +127,7 @@ class _Field:
             saved = self.loss(cells) - sum(self.loss(one) for one in split)
             length = sum(float(np.hypot(*np.diff(line, axis=0).T).sum()) for line in lines) / PARTS
             cost = prices_of(points, first, box.filled(-1.0, self.cost[cells]))
-            return _Drawn(lines, crossed, split, length, cost), saved
+            return _Drawn(lines, split, length, cost), saved
 
         long = np.diff(starts) > _SHORT
         for most in (2, 1):
@@ -150,7 +150,6 @@ class _Field:
 @dataclass(frozen=True)
 class _Drawn:
     lines: tuple[np.ndarray, ...]
-    crossed: np.ndarray
     pieces: list[np.ndarray]
     length: float
     cost: float
@@ -249,7 +248,6 @@ def dissect_by_lines(
         for (cells, parent), wall in zip(waiting, walls, strict=True):
             if wall is None or len(wall.pieces) < 2:
                 continue
-            field.links[cells] &= ~wall.crossed
             saved = field.loss(cells) - sum(field.loss(piece) for piece in wall.pieces)
             children += [(piece, len(cuts)) for piece in wall.pieces]
             cuts.append(LineCut(wall.lines, wall.length, wall.cost, saved, parent))

@@ -58,9 +58,10 @@ def test_budgets_are_never_exceeded_and_nested(network, unit):
     cost = np.where(network.burnable, np.random.default_rng(1).uniform(1.0, 3.0, network.shape), 0.0)
     stakes = Stakes(network, cost=cost)
     fuel = network.n_burnable * network.grid.cell_area_ha
-    most = {"share": 0.1, "ha": 0.1 * fuel, "cost": 0.1 * cost.sum()}[unit]
+    most = {"share": 0.05, "ha": 0.05 * fuel, "cost": 0.05 * cost.sum()}[unit]
     lines = design_lines(network, stakes=stakes, budget=Budget(most, unit), width=6.0, params={"smallest": 16})
     spent = {"share": lines.walls["area_ha"] / fuel, "ha": lines.walls["area_ha"], "cost": lines.walls["cost"]}[unit]
+    assert spent.sum() >= 1.95 * most  # enough for the curve about the budget; ends are led a little later
     before = 0
     for share in (0.0, 0.2, 0.5, 1.0, 1.9):
         count = lines.bought(Budget(share * most, unit)) if share * most <= 1 or unit != "share" else 0
