@@ -12,6 +12,7 @@ Source: Brin, Page 1998, doi 10.1016/S0169-7552(98)00110-X.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -54,27 +55,33 @@ def rank(
     progress: Progress,
 ) -> np.ndarray:
     """Return the PageRank, (rows, cols) float64."""
+    from firebreak_gis.kernels.linear import Operator, degree
+
     scores = np.zeros(network.shape)
     cells = np.flatnonzero(network.burnable)
     if cells.size == 0:
         progress(1.0, "PageRank: no cell holds fuel")
         return scores
-    ways = network.to_csr()[cells][:, cells]
-    ways = ways if params.orientation == "in" else ways.T.tocsr()
-    strength = np.asarray(ways.sum(axis=1)).ravel()
-    stuck = strength == 0.0
-    onward = ways.T.tocsr()
-    share = np.where(stuck, 0.0, 1.0 / np.where(stuck, 1.0, strength))
-    x = np.full(cells.size, 1.0 / cells.size)
+    follows = params.orientation == "in"
+    strength = degree(network.probability, boundary=network.boundary, transpose=not follows)
+    stuck = network.burnable & (strength == 0.0)
+    share = np.divide(params.damping, strength, out=np.zeros(network.shape), where=strength > 0.0)
+    x = np.where(network.burnable, 1.0 / cells.size, 0.0)
+    new = np.empty(network.shape)
     change, first = 1.0, 0.0
-    while change > _TOLERANCE:
-        new = params.damping * (onward @ (share * x) + x[stuck].sum() / cells.size)
-        new += (1.0 - params.damping) / cells.size
-        new /= new.sum()
-        change = float(np.abs(new - x).sum())
-        x, first = new, first or max(change, 2 * _TOLERANCE)
-        done = np.log(change / first) / np.log(_TOLERANCE / first) if change > 0.0 else 1.0
-        progress(min(0.99, max(0.0, float(done))), f"PageRank, change {change:.1e}")
-    scores.ravel()[cells] = x
+    # A walker arrives at a cell from those that can light it: a product with the transposed matrix.
+    with Operator(network.probability, boundary=network.boundary, transpose=follows) as arrivals:
+        while change > _TOLERANCE:
+            anywhere = (params.damping * float(x[stuck].sum()) + 1.0 - params.damping) / cells.size
+            arrivals.apply(share * x, new, shift=anywhere)
+            new *= network.burnable
+            new /= new.sum()
+            x -= new
+            change = float(np.abs(x, out=x).sum())
+            x, new = new, x
+            first = first or max(change, 2 * _TOLERANCE)
+            done = math.log(change / first) / math.log(_TOLERANCE / first) if change > 0.0 else 1.0
+            progress(min(0.99, max(0.0, done)), f"PageRank, change {change:.1e}")
+    scores.ravel()[cells] = x.ravel()[cells]
     progress(1.0, "PageRank done")
     return scores

@@ -35,6 +35,8 @@ def _parts(*, quick: bool, huge: bool) -> Iterator[tuple[str, Callable[[], Rows]
     if huge:
         yield "paths", lambda: paths.networkx_rows(100)
     yield "centralities", lambda: centralities.rows(30)
+    yield "centralities", lambda: centralities.groups(10)
+    yield "centralities", lambda: centralities.pagerank(100)
     yield "sampled", lambda: paths.sampled_rows(100 if quick else 1000)
     for side in (300,) if quick else (300, 1000, 3000) if huge else (300, 1000):
         yield "stencil", lambda side=side: linear.stencil_rows(side)
