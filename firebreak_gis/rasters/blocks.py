@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from zlib import crc32
 
 import numpy as np
 
 from firebreak_gis.errors import InputError, OutputError, VerificationError
 from firebreak_gis.files import replacing, together
+from firebreak_gis.files.locks import remove_parts
 from firebreak_gis.rasters.opening import open_raster
 from firebreak_gis.rasters.writing import (
     SIDECARS,
@@ -23,6 +27,7 @@ from firebreak_gis.rasters.writing import (
     require_geotiff,
     tags_of,
     variables_of,
+    write_raster,
     write_style,
 )
 
@@ -69,12 +74,23 @@ def write_blocks(
 
     Notes
     -----
-    Memory: one block. Disk: beside the file, until it stands, a copy that is hardly compressed. A style is written for
-    classes and shares alone: the ends of other ramps are those of the whole map.
+    Memory: one block; one that is the whole is written by `write_raster`. Disk: beside the file, until it stands, a copy
+    that is hardly compressed. A style is written for classes and shares alone: the ends of other ramps are those of the
+    whole map.
     """
-    from rasterio.errors import RasterioError
-
     require_geotiff(path)
+    waiting = iter(blocks)
+    first = next(waiting, None)
+    if first is not None and first[1].sizes["y"] == grid.shape[0]:
+        return write_raster(
+            path,
+            first[1],
+            overwrite=overwrite,
+            provenance=provenance,
+            creation_options=creation_options,
+            forbid=forbid,
+        )
+    blocks = waiting if first is None else chain([first], waiting)
     place = Path(path)
     remove = [place.with_name(place.name + suffix) for suffix in SIDECARS]
     with (
@@ -83,28 +99,45 @@ def write_blocks(
     ):
         scratch = part.with_name(f"{part.name}.rows.tif")  # goes with the part, whatever happens
         try:
-            variables = _gather(scratch, blocks, grid, provenance or {})
-            _encode(scratch, part, {**cog_options(variables[0]), **lower(creation_options or {})})
-            _compare(scratch, part)
-        except (RasterioError, OSError) as error:
-            raise OutputError(f"cannot write the raster {place}: {error}; is the disk full?") from error
+            variables, sums = _gather(scratch, blocks, grid, provenance or {})
+            with _failing(place):
+                _encode(scratch, part, {**cog_options(variables[0]), **lower(creation_options or {})})
+                _compare(scratch, part, sums)
         finally:
-            scratch.unlink(missing_ok=True)
+            remove_parts(part.parent, scratch.name)
         if (variables[0].minimum, variables[0].maximum) == (0, 1) or variables[0].classes:
             write_style(place, np.zeros(0), variables[0], overwrite)
     return place
 
 
+@contextlib.contextmanager
+def _failing(place: str | os.PathLike[str]) -> Iterator[None]:
+    """Say that a file cannot be written where GDAL cannot write it, or not read back what it wrote."""
+    from rasterio._err import CPLE_BaseError
+    from rasterio.errors import RasterioError
+
+    try:
+        yield
+    except VerificationError:
+        raise
+    except (InputError, RasterioError, CPLE_BaseError, OSError) as error:
+        raise OutputError(f"cannot write the raster {place}: {error}; is the disk full?") from error
+
+
 def _gather(
     scratch: Path, blocks: Iterable[tuple[int, xr.Dataset]], grid: Grid, provenance: Mapping[str, Any]
-) -> list[Any]:
-    """Write the blocks into one file of tiles."""
+) -> tuple[list[Any], dict[int, int]]:
+    """Write the blocks into one file of tiles; return the variables, and a checksum of each block.
+
+    The file is GDAL's own: what is in memory for other rasters would be as large as the map.
+    """
     import rasterio
     from rasterio.errors import NotGeoreferencedWarning
     from rasterio.windows import Window
 
     target: Any = None
     variables: list[Any] = []
+    sums: dict[int, int] = {}
     written = 0
     with rasterio.Env(GDAL_PAM_ENABLED="NO"), warnings.catch_warnings():
         warnings.simplefilter("ignore", NotGeoreferencedWarning)
@@ -115,20 +148,24 @@ def _gather(
                     variables = variables_of(layers)
                     tiles = {"tiled": True, "blockxsize": ROWS, "blockysize": ROWS, "compress": "DEFLATE", "zlevel": 1}
                     how = {"driver": "GTiff", "bigtiff": "YES", "interleave": "band", **tiles}
-                    target = rasterio.open(scratch, "w", **profile_of(grid, variables), **how)
-                    describe(target, variables, tags_of(data, provenance))
+                    with _failing(scratch):
+                        target = rasterio.open(scratch, "w", **profile_of(grid, variables), **how)
+                        describe(target, variables, tags_of(data, provenance))
                 rows = data.sizes["y"]
                 if row != written or row % ROWS:
                     raise InputError(f"a block begins at row {row}, expected row {written}, a multiple of {ROWS}")
                 planes = planes_of(layers, variables, (rows, grid.shape[1]))
-                target.write(planes, window=Window(0, row, grid.shape[1], rows))
+                sums |= {row + i: crc32(planes[:, i : i + ROWS].tobytes()) for i in range(0, rows, ROWS)}
+                with _failing(scratch):
+                    target.write(planes, window=Window(0, row, grid.shape[1], rows))
                 written += rows
         finally:
             if target is not None:
-                target.close()
+                with _failing(scratch):
+                    target.close()
     if written != grid.shape[0]:
         raise InputError(f"the blocks have {written} rows, expected {grid.shape[0]}")
-    return variables
+    return variables, sums
 
 
 def _encode(scratch: Path, part: Path, options: Mapping[str, Any]) -> None:
@@ -139,17 +176,19 @@ def _encode(scratch: Path, part: Path, options: Mapping[str, Any]) -> None:
         rasterio.shutil.copy(scratch, part, driver="COG", **options)
 
 
-def _compare(scratch: Path, part: Path) -> None:
-    """Read the finished file anew, overviews as well, and hold it against the blocks."""
+def _compare(scratch: Path, part: Path, sums: Mapping[int, int]) -> None:
+    """Read the finished file anew, overviews as well, and hold it against what was to be written."""
     import rasterio
     from rasterio.windows import Window
 
     with open_raster(scratch) as source, open_raster(part) as copy:
         rows, cols = source.shape
         for row in range(0, rows, ROWS):
-            where = Window(0, row, cols, min(ROWS, rows - row))
-            if not np.array_equal(source.read(window=where), copy.read(window=where)):
+            found = crc32(copy.read(window=Window(0, row, cols, min(ROWS, rows - row))).tobytes())
+            if found != sums[row]:
                 raise VerificationError(f"{part}: rows from {row} do not read back as they were written")
+        if (source.tags(), source.descriptions) != (copy.tags(), copy.descriptions):
+            raise VerificationError(f"{part}: the texts do not read back as they were written")
         factors = copy.overviews(1)
     for level in range(len(factors)):
         with rasterio.open(part, overview_level=level) as small:

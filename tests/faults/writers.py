@@ -133,10 +133,11 @@ def _raster(folder, variant, overwrite):
 
 
 def _network(folder, variant, overwrite):
-    from firebreak_gis.rasters import write_raster
+    from firebreak_gis.rasters import write_blocks
 
-    data = small_plan(variant).network.to_raster()
-    write_raster(folder / "out.tif", data, overwrite=overwrite, provenance={"seed": variant})
+    network = small_plan(variant).network
+    data = [(0, network.to_dataset())]
+    write_blocks(folder / "out.tif", data, network.grid, overwrite=overwrite, provenance={"seed": variant})
 
 
 def _vector(folder, variant, overwrite, suffix):
