@@ -74,9 +74,9 @@ def write_blocks(
 
     Notes
     -----
-    Memory: one block; one that is the whole is written by `write_raster`. Disk: beside the file, until it stands, a copy
-    that is hardly compressed. A style is written for classes and shares alone: the ends of other ramps are those of the
-    whole map.
+    Memory: one block; one that is the whole is written by `write_raster`. Disk: beside the file, until it stands, a
+    copy that is hardly compressed. A style is written for classes and shares alone, since the ends of other ramps are
+    those of the whole map.
     """
     require_geotiff(path)
     waiting = iter(blocks)
