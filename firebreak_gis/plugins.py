@@ -222,6 +222,17 @@ def asks_for(module: ModuleType, fact: str) -> bool:
     return any(field.metadata["told"] == fact for field in dataclasses.fields(module.Params))
 
 
+def takes_trial(module: ModuleType) -> bool:
+    """Whether a ranking takes the fires with a clock that a plan is for."""
+    return "trial" in inspect.signature(module.rank).parameters
+
+
+def uses_trial(module: ModuleType, params: Any) -> bool:
+    """Whether those fires make a difference with these `Params`; a module may tell it by a function of that name."""
+    function = getattr(module, "uses_trial", None)
+    return takes_trial(module) and (function is None or bool(function(params)))
+
+
 def effective(module: ModuleType, params: Any) -> Any:
     """`Params` in which those that make no difference have their defaults; equal ones give equal results.
 

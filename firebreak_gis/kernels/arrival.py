@@ -166,14 +166,14 @@ def burn_timed(
     """
     for k in range(runs.size):
         run = runs[k]
-        size = _burn(thresholds, keys[run], steps, clock, starts, walls, embers, space, run)
+        size = burn_run(thresholds, keys[run], steps, clock, starts, walls, embers, space, run)
         add_run(tally, run, space.order, size, space.arrival, space.parent, steps, strongest)
         for i in range(size):
             space.arrival[space.order[i]] = UNSEEN
 
 
 @kernel
-def _burn(
+def burn_run(
     thresholds: Thresholds,
     key: np.uint64,
     steps: Steps,

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis import plugins, ranking
-from firebreak_gis.breaks import Amount, Budget, removal_order
+from firebreak_gis.breaks import Amount, Budget, removal_order, select_breaks
 from firebreak_gis.planning.refinement import refine as improve
 from firebreak_gis.planning.thickening import thickened
 from firebreak_gis.progress import Progress, part, silent
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.placement.trial import Trial
 
     Plane = np.ndarray | xr.DataArray
 
@@ -116,6 +117,7 @@ def design(
     params: Mapping[str, Any] | None = None,
     elevation: Plane | None = None,
     roads: Plane | None = None,
+    trial: Trial | None = None,
     refine: bool = False,
     seed: int = 0,
     progress: Progress | None = None,
@@ -131,9 +133,12 @@ def design(
         cell brings the square around it along, see `planning.thickening`.
     params
         Parameters of the method; they win over what the plan tells.
+    trial
+        Fires with a clock, of the kind that will judge the plan, on which methods may try designs; None: no clock.
     refine
         Whether the plan is improved by local search, see `planning.refinement.refine`; then the ranking is good for
-        this budget only, and a width is not kept.
+        this budget only, and a width is not kept. With a clock the improved plan
+        counts only if it loses less on those fires too.
 
     Returns
     -------
@@ -146,7 +151,15 @@ def design(
         As `rank`, or if the parameters ask for less than `width`.
     """
     designs = Designs(
-        network, method, stakes=stakes, width=width, params=params, elevation=elevation, roads=roads, seed=seed
+        network,
+        method,
+        stakes=stakes,
+        width=width,
+        params=params,
+        elevation=elevation,
+        roads=roads,
+        trial=trial,
+        seed=seed,
     )
     if not refine:
         return designs(budget, residual, progress or silent)
@@ -160,7 +173,24 @@ def design(
         seed=seed,
         progress=part(progress, 0.5, 1.0, "local search: "),
     )
-    return priority.copy(data=np.where(np.isneginf(priority), -np.inf, better)).assign_attrs(budget.record)
+    refined = priority.copy(data=np.where(np.isneginf(priority), -np.inf, better)).assign_attrs(budget.record)
+    if trial is None:
+        return refined
+    # The search knows no clock: what it finds must also lose less where there is one.
+    fires = trial.under(residual)
+    n_runs = fires.runs(_CHECKED)
+    old, new = (
+        fires.losses(
+            select_breaks(each, budget=budget, burnable=network.burnable, cost=stakes.cost).to_numpy() > 0,
+            n_runs=n_runs,
+        ).sum()
+        for each in (priority, refined)
+    )
+    return refined if new < old else priority
+
+
+#: Cells that the fires burn on which a refined plan is checked, where nothing is cut.
+_CHECKED = 2e6
 
 
 class Designs:
@@ -168,7 +198,7 @@ class Designs:
 
     Parameters
     ----------
-    network, method, stakes, width, params, elevation, roads, seed
+    network, method, stakes, width, params, elevation, roads, trial, seed
         As in `design`.
     keep
         How many different plans are remembered, the last ones; None: all.
@@ -184,6 +214,7 @@ class Designs:
         params: Mapping[str, Any] | None = None,
         elevation: Plane | None = None,
         roads: Plane | None = None,
+        trial: Trial | None = None,
         seed: int = 0,
         keep: int | None = None,
     ) -> None:
@@ -192,6 +223,7 @@ class Designs:
         self._rank = ranking.rankings(network, method, stakes=stakes, seed=seed)
         self._params, self._width, self._keep = dict(params or {}), width, keep
         self._planes = {"elevation": elevation, "roads": roads}
+        self._trial = trial
         self._made: dict[tuple[Any, ...], xr.DataArray] = {}
 
     def __call__(self, budget: float | Budget, residual: float, progress: Progress) -> xr.DataArray:
@@ -226,11 +258,16 @@ class Designs:
     def _settled(self, budget: Budget, residual: float) -> tuple[Any, ...]:
         """Equal for plans that are equal; planes are the same for all."""
         params = plugins.build_params(self._module, self._every(budget, residual))
-        params = plugins.effective(self._module, params)
+        if self._trial is not None and plugins.uses_trial(self._module, params):
+            return (residual, *self._plain(params))
+        return self._plain(plugins.effective(self._module, params))
+
+    def _plain(self, params: Any) -> tuple[Any, ...]:
         return tuple(getattr(params, f.name) for f in fields(params) if not f.metadata["raster"])
 
     def _make(self, budget: Budget, residual: float, progress: Progress) -> xr.DataArray:
-        priority = self._rank(self._every(budget, residual), progress)
+        trial = None if self._trial is None else self._trial.under(residual)
+        priority = self._rank(self._every(budget, residual), progress, trial)
         if self._width > 1 and not plugins.asks_for(self._module, "least_width"):
             wide = thickened(removal_order(priority), self._network, self._stakes, self._width)
             priority = priority.copy(data=wide)

@@ -1,8 +1,7 @@
 """What plans are judged by: fires with a clock and breaks that fail, assumed where nothing is said, and in words.
 
-Breaks are designed on the network of the paper, which knows no time, so that equal layers have equal breaks whatever
-judges them. Fires burn on a second network, with travel times, made after the ranking; the first is kept for the
-paper's own case, which is told beside.
+Breaks are designed on the network of the paper, which knows no time. Fires burn on a second network, with travel times,
+on which methods may try their designs; the first is kept for the paper's own case, which is told beside.
 """
 
 from __future__ import annotations

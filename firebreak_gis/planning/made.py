@@ -353,6 +353,8 @@ class Plan(Shown):
             "burnt_share_without_breaks": float(endless.sel(budget=0.0)),
             "burnt_share_with_breaks": float(endless.sel(budget=self.share)),
         }
+        if "design" in self.priority.attrs:
+            figures["design"] = self.priority.attrs["design"]
         figures["cut_classes"] = self.cut_classes
         figures["beside_lines"] = {
             "strength": self.sited.strength,

@@ -16,6 +16,7 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.masks import mask_plane
 from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning.budgets import default_budgets, few_budgets, reachable
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
@@ -172,8 +173,8 @@ def plan(
     Returns
     -------
     Plan
-        Everything, from the network to the evaluation. The breaks are those of the network without a clock, whatever
-        they are judged by.
+        Everything, from the network to the evaluation. Methods that take `trial` try designs on fires of the kind
+        that judges the plan, with other draws.
 
     Raises
     ------
@@ -302,7 +303,8 @@ def make_plan(
     }
 
     def designed(placed: Stakes, step: Progress) -> tuple[xr.DataArray, xr.DataArray]:
-        priority = design(network, asked.method, stakes=placed, **about, progress=step)
+        trial = Trial(ground, fires, placed, fires.seed, threads) if judged.clock else None
+        priority = design(network, asked.method, stakes=placed, **about, trial=trial, progress=step)
         return priority, select_breaks(priority, budget=asked.amount, burnable=network.burnable, cost=stakes.cost)
 
     value = None if planes.value is None else stakes.value

@@ -5,25 +5,27 @@ A method file holds a frozen dataclass `Params` and
     rank(network, params, *, stakes, seed, progress) -> (rows, cols) float64, higher is cut earlier
 
 and needs no registration: its file name is its name. `stakes` holds costs, protected cells, values at risk and
-where fires start; a method uses what it can. Cells without fuel and protected cells get -inf here, whatever the
-method returned for them. A method whose result depends on how ties between equally good plans are broken says so
-by `UNIQUE = False`. A method whose rankings for other parameters share work may have
+where fires start; a method uses what it can. One that takes `trial` too is given the fires with a clock that the plan
+is for, to try designs on, or None. It may return `Ranked`, the scores and a text on what was chosen. Cells without
+fuel and protected cells get -inf here, whatever the method returned for them. A method whose result depends on how
+ties between equally good plans are broken says so by `UNIQUE = False`. A method whose rankings for other parameters
+share work may have
 
     rankings(network, *, stakes, seed) -> function of (params, progress) that returns what `rank` does
 
-beside it, which keeps what they share. `rank` and `rankings` below are the only ways in. What is done here, network
-science calls dismantling.
+beside it, which keeps what they share, and takes `trial` last if `rank` does. `rank` and `rankings` below are the
+only ways in. What is done here, network science calls dismantling.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from firebreak_gis.errors import GridError, VerificationError
-from firebreak_gis.plugins import build_params, load
+from firebreak_gis.plugins import build_params, load, takes_trial
 from firebreak_gis.progress import Progress, silent
 from firebreak_gis.stakes import Stakes
 
@@ -31,6 +33,22 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.placement.trial import Trial
+
+
+class Ranked(NamedTuple):
+    """What a method may return.
+
+    Parameters
+    ----------
+    scores
+        (rows, cols) float64, higher is cut earlier.
+    told
+        What was chosen, in words.
+    """
+
+    scores: np.ndarray
+    told: str
 
 
 def rank(
@@ -38,6 +56,7 @@ def rank(
     method: str = "dissection",
     *,
     stakes: Stakes | None = None,
+    trial: Trial | None = None,
     seed: int = 0,
     progress: Progress | None = None,
     **params: Any,
@@ -52,6 +71,8 @@ def rank(
         Name of a ranking (`firebreak methods` lists them).
     stakes
         Costs, protected cells, values at risk and ignitions; default: every cell alike, nothing protected.
+    trial
+        Fires with a clock that methods may try designs on; None: there is no clock.
     seed
         Seed of methods that draw.
     progress
@@ -62,7 +83,8 @@ def rank(
     Returns
     -------
     xarray.DataArray
-        `priority` (y, x) float64, higher is cut earlier, -inf where there is no fuel or nothing may be cut.
+        `priority` (y, x) float64, higher is cut earlier, -inf where there is no fuel or nothing may be cut. The
+        attribute `design` tells what the method has chosen, if it says it.
 
     Raises
     ------
@@ -75,27 +97,29 @@ def rank(
     -----
     Memory at the peak, beside the network: `methods.memory_of("ranking", method)`; the text of each method says more.
     """
-    return rankings(network, method, stakes=stakes or Stakes(network), seed=seed)(params, progress or silent)
+    return rankings(network, method, stakes=stakes or Stakes(network), seed=seed)(params, progress or silent, trial)
 
 
 def rankings(
     network: SpreadNetwork, method: str, *, stakes: Stakes, seed: int = 0
-) -> Callable[[Mapping[str, Any], Progress], xr.DataArray]:
-    """Return `rank` as a function of (parameters, progress), for many parameters; what they share is made once."""
+) -> Callable[[Mapping[str, Any], Progress, Trial | None], xr.DataArray]:
+    """Return `rank` as a function of (parameters, progress, trial), for many; what they share is made once."""
     module = load("ranking", method)
     if stakes.cost.shape != network.shape:
         raise GridError(f"stakes has shape {stakes.cost.shape}, expected {network.shape}; make it for this network")
     sharing = getattr(module, "rankings", None)
     made = sharing(network, stakes=stakes, seed=seed) if sharing else None
 
-    def one(params: Mapping[str, Any], progress: Progress) -> xr.DataArray:
+    def one(params: Mapping[str, Any], progress: Progress, trial: Trial | None) -> xr.DataArray:
         from firebreak_gis.schema import annotate
 
         values = build_params(module, params)
+        given = {"trial": trial} if takes_trial(module) else {}
         if made is None:
-            scores = module.rank(network, values, stakes=stakes, seed=seed, progress=progress)
+            answer = module.rank(network, values, stakes=stakes, seed=seed, progress=progress, **given)
         else:
-            scores = made(values, progress)
+            answer = made(values, progress, **given)
+        scores, told = answer if isinstance(answer, Ranked) else (answer, "")
         priority = np.array(scores, dtype=np.float64)
         if priority.shape != network.shape or np.isnan(priority[network.burnable]).any():
             raise VerificationError(
@@ -103,6 +127,7 @@ def rankings(
             )
         priority[~network.burnable | stakes.protected] = -np.inf
         progress(1.0, f"{method} done")
-        return annotate(network.grid.dataarray(priority, "priority")).assign_attrs(method=method)
+        named = {"method": method, **({"design": told} if told else {})}
+        return annotate(network.grid.dataarray(priority, "priority")).assign_attrs(named)
 
     return one

@@ -130,31 +130,97 @@ def burn_timed(
     chosen
         Numbers of the runs that are made, counted from the first; None: all.
     """
+    n_runs = request.n_runs
+    by_group = value if callable(value) else None
+    worth = np.zeros(network.burnable.size) if callable(value) else value
+    rim = None if window is None or window.whole else window.rim(reach)
+    total = new_tally(network, products, n_runs, longest=longest_of(limits), value=worth, rim=rim)
+    spaces = Spaces()
+    tallies = _Tallies(total)
+    done = 0
+    for ready in made_ready(
+        network,
+        request,
+        start,
+        limits,
+        breaks=breaks,
+        barriers=barriers,
+        weather=weather,
+        flame_lengths=products.flame_lengths,
+        window=window,
+        chosen=chosen,
+    ):
+        group, intensity = ready.group, ready.intensity
+        heat = total.heat if group.network.heat is None else group.network.heat.ravel()
+        shown = np.zeros(0, np.float32) if intensity is None else intensity.ravel()
+        own = {"heat": heat, "value": total.value if by_group is None else by_group(group)}
+        piece = partial(_burn_piece, ready, spaces, tallies, own, shown)
+        report = part(progress, done / n_runs, (done + group.runs.size) / n_runs)
+        pieces = [group.runs[i : i + _PIECE] for i in range(0, group.runs.size, _PIECE)]
+        run_pieces(piece, pieces, threads=threads, progress=report, message="burning")
+        done += group.runs.size
+    add_up(total, tallies.made)
+    return total
+
+
+def longest_of(limits: np.ndarray) -> int:
+    """How long the longest run burns [s]; `durations.ENDLESS` if one ends by itself."""
+    ends = limits[limits < ENDLESS]
+    return int(ends.max()) if ends.size == limits.size else ENDLESS
+
+
+class Ready(NamedTuple):
+    """What the kernels of fires with a clock are given for a group of runs.
+
+    Parameters
+    ----------
+    group
+        The runs, and their weather.
+    given
+        The first arguments of `kernels.arrival.burn_timed`, up to the workspace.
+    span
+        Of the workspace, see `kernels.arrival.workspace`.
+    intensity
+        Of the fastest fire of each cell, where it was needed.
+    """
+
+    group: Group
+    given: tuple[Any, ...]
+    span: int
+    intensity: np.ndarray | None
+
+
+def made_ready(
+    network: SpreadNetwork,
+    request: FireRequest,
+    start: Ignitions,
+    limits: np.ndarray,
+    *,
+    breaks: np.ndarray | xr.DataArray | LineBreaks | None,
+    barriers: np.ndarray | xr.DataArray | None,
+    weather: WeatherNetworks | None,
+    flame_lengths: Sequence[float] = (),
+    window: Window | None = None,
+    chosen: np.ndarray | None = None,
+) -> Iterator[Ready]:
+    """Make ready what burns, weather by weather; parameters as in `burn_timed`."""
     from firebreak_gis.kernels.arrival import Starts
     from firebreak_gis.kernels.draws import run_keys
     from firebreak_gis.kernels.percolation import steps
 
     n_runs, seed, first_run = request.n_runs, request.seed, start.first_run
     keys = {purpose: run_keys(seed, purpose, n_runs, first_run) for purpose in ("edges", "hold", "embers")}
-    ends = limits[limits < ENDLESS]
-    longest = int(ends.max()) if ends.size == limits.size else ENDLESS
+    longest = longest_of(limits)
     at = np.zeros(start.cells.size, np.uint64) if start.at is None else start.at.astype(np.uint64)
     starts = Starts(start.starts, start.cells, at, limits.astype(np.uint64))
     periodic = network.boundary == "periodic"
     place = {} if window is None else {"corner": window.corner, "map_cols": window.map_shape[1]}
     grid_steps = steps(network.shape, periodic=periodic, **place)
-    by_group = value if callable(value) else None
-    worth = np.zeros(network.burnable.size) if callable(value) else value
-    rim = None if window is None or window.whole else window.rim(reach)
-    total = new_tally(network, products, n_runs, longest=longest, value=worth, rim=rim)
     called = request.called
     crews = None if called is None else called.arrival(network.grid, request.holding.length)
     laid = _Laid()
-    spaces = _Spaces()
-    tallies = _Tallies(total)
-    done = 0
     for group in groups_of(network, weather, n_runs=n_runs, first_run=first_run, seed=seed, chosen=chosen):
-        intensity = _intensity(group, request, products)
+        intensity = _intensity(group, request, flame_lengths)
         walls = build_walls(
             group.network,
             keys["hold"],
@@ -179,16 +245,7 @@ def burn_timed(
             )
         clock, span = clock_of(group, longest, embers=request.embers is not None)
         given = (laid.thresholds(group), keys["edges"], grid_steps, clock, starts, walls, flying)
-        heat = total.heat if group.network.heat is None else group.network.heat.ravel()
-        shown = np.zeros(0, np.float32) if intensity is None else intensity.ravel()
-        own = {"heat": heat, "value": total.value if by_group is None else by_group(group)}
-        piece = partial(_burn_piece, given, spaces, span, tallies, own, shown)
-        report = part(progress, done / n_runs, (done + group.runs.size) / n_runs)
-        pieces = [group.runs[i : i + _PIECE] for i in range(0, group.runs.size, _PIECE)]
-        run_pieces(piece, pieces, threads=threads, progress=report, message="burning")
-        done += group.runs.size
-    add_up(total, tallies.made)
-    return total
+        yield Ready(group, given, span, intensity)
 
 
 def containment(
@@ -218,9 +275,8 @@ def containment(
 
 
 def _burn_piece(
-    given: tuple[Any, ...],
-    spaces: _Spaces,
-    span: int,
+    ready: Ready,
+    spaces: Spaces,
     tallies: _Tallies,
     own: Mapping[str, np.ndarray],
     strongest: np.ndarray,
@@ -230,14 +286,14 @@ def _burn_piece(
     from firebreak_gis.kernels.arrival import burn_timed as burn_runs
 
     tally = tallies.mine()._replace(**own)
-    burn_runs(*given, spaces.mine(tally.counts.size, span), runs, tally, strongest)
+    burn_runs(*ready.given, spaces.mine(tally.counts.size, ready.span), runs, tally, strongest)
 
 
-def _intensity(group: Group, request: FireRequest, products: Products) -> np.ndarray | None:
+def _intensity(group: Group, request: FireRequest, flame_lengths: Sequence[float]) -> np.ndarray | None:
     """Intensity of the fastest fire of each cell, the mean over the steps, where it is needed."""
-    if request.holding.share is not None and not products.flame_lengths:
+    if request.holding.share is not None and not flame_lengths:
         return None
-    what = "flame lengths" if products.flame_lengths else "hold by flames"
+    what = "flame lengths" if flame_lengths else "hold by flames"
     group.network.require_times(what)
     each = [strongest(group.network, what, times) for times in group.times]
     return np.asarray(sum(each) / np.float32(len(each)), np.float32)
@@ -283,13 +339,14 @@ class _Laid:
         return self._thresholds
 
 
-class _Spaces:
+class Spaces:
     """Workspaces of the threads, used again from weather to weather."""
 
     def __init__(self) -> None:
         self._own = threading.local()
 
     def mine(self, n_cells: int, span: int) -> Workspace:
+        """Workspace of the calling thread."""
         from firebreak_gis.kernels.arrival import workspace
 
         kept: Workspace | None = getattr(self._own, "space", None)

@@ -57,10 +57,11 @@ def layers(files):
 )
 @pytest.mark.parametrize("method", plugins.names("ranking"))
 def test_every_method_ranks_as_it_plans(files, tmp_path, method, asked):
+    """Where no fire has a clock; `rank` knows of none."""
     words = [str(files / w) if w.endswith(".gpkg") else w for w in asked]
     known = {p["name"] for p in plugins.describe("ranking", method)["parameters"]}
     words += ["--method", method, "--seed", "4", *(["-p", "fires=10"] if "fires" in known else [])]
-    run("plan", *layers(files), "-o", tmp_path / "plan", "--runs", 2, *words)
+    run("plan", *layers(files), "-o", tmp_path / "plan", "--runs", 2, "--timeless", *words)
     run("rank", files / "network.tif", "-o", tmp_path / "p.tif", "--dem", layers(files)[0], *words)
     paths = (tmp_path / "plan/priority.tif", tmp_path / "p.tif")
     planned, ranked = (read_variable(path, "priority") for path in paths)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from affine import Affine
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -11,12 +12,16 @@ from firebreak_gis import plugins
 from firebreak_gis.breaks import Budget, removal_order, select_breaks
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.placement.trial import Trial
 from firebreak_gis.placement.widening import offsets
 from firebreak_gis.planning.design import Designs, design
 from firebreak_gis.planning.pipeline import plan
 from firebreak_gis.planning.thickening import thickened
 from firebreak_gis.progress import silent
 from firebreak_gis.ranking import rank
+from firebreak_gis.simulation.durations import as_duration
+from firebreak_gis.simulation.ground import Ground
+from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.stakes import Stakes
 
 
@@ -24,6 +29,17 @@ def random_network(seed, shape=(11, 14), boundary="open"):
     rng = np.random.default_rng(seed)
     return SpreadNetwork(
         rng.random((8, *shape)).astype(np.float32), burnable=rng.random(shape) > 0.15, boundary=boundary
+    )
+
+
+def timed_network(seed=0, shape=(24, 30)):
+    rng = np.random.default_rng(seed)
+    return SpreadNetwork(
+        rng.uniform(0.4, 0.8, (8, *shape)),
+        burnable=rng.random(shape) > 0.05,
+        travel_time=rng.integers(100, 400, (8, *shape)),
+        crs="EPSG:32635",
+        transform=Affine(20, 0, 586_440, 0, -20, 3_999_900),
     )
 
 
@@ -101,15 +117,66 @@ def test_share_of_the_cost():
 
 
 def test_a_plan_with_leaks_is_designed_for_them(make_landscape):
-    """The same as when the method itself is asked for that leak and budget."""
+    """The same as when the method itself is asked for that leak and budget, where no fire has a clock."""
     landscape = make_landscape((30, 40), seed=1, relief=3.0, holes=0.03)
-    made = plan(landscape, budget=0.3, residual=0.3, n_runs=5, seed=4)
+    timeless = {"budget": 0.3, "residual": 0.3, "timeless": True, "n_runs": 5, "seed": 4}
+    made = plan(landscape, **timeless)
     asked = rank(made.network, "dissection", seed=4, residual=0.3, cost_share=0.3, least_width=1)
     np.testing.assert_array_equal(made.priority, asked)
-    perfect = plan(landscape, budget=0.3, residual=0.3, method_params={"residual": 0.0}, n_runs=5, seed=4)
+    perfect = plan(landscape, **timeless, method_params={"residual": 0.0})
     np.testing.assert_array_equal(perfect.priority, rank(made.network, "dissection", seed=4))
     assert (made.priority != perfect.priority).any()
     assert made.after["fire_size"].mean() < perfect.after["fire_size"].mean()
+
+
+def test_a_plan_with_a_clock_is_tried_out_on_its_fires(make_landscape):
+    """Told in the plan, other for other leaks, left out where asked, whatever the number of judging fires."""
+    landscape = make_landscape((40, 50), seed=1, relief=3.0, holes=0.03)
+    given = {"budget": 0.15, "n_runs": 5, "seed": 4, "hold": 1.0, "duration": "4h"}
+    made = plan(landscape, **given, residual=0.1)
+    assert made.summary["design"] == made.priority.attrs["design"] != ""
+    without = plan(landscape, **given, residual=0.1, method_params={"by_fires": False})
+    np.testing.assert_array_equal(
+        without.priority, plan(landscape, **given, residual=0.1, method_params={"by_fires": "no"}).priority
+    )
+    asked = rank(made.network, "dissection", seed=4, residual=0.1, cost_share=0.15, least_width=1)
+    np.testing.assert_array_equal(without.priority, asked)
+    assert (made.priority != without.priority).any()
+    perfect = plan(landscape, **given)
+    assert (perfect.priority != made.priority).any()
+    # The number of fires that judge changes nothing.
+    np.testing.assert_array_equal(perfect.priority, plan(landscape, **{**given, "n_runs": 9}).priority)
+
+
+def test_fires_with_a_clock_are_told_to_methods_that_take_them():
+    network = timed_network()
+    stakes = Stakes(network)
+    trial = Trial(Ground(network), FireRequest(duration=as_duration("1h")), stakes, 0)
+    for method, differs in (("dissection", True), ("influence", True), ("flammability", False)):
+        assert plugins.takes_trial(plugins.load("ranking", method)) is differs
+        params = {"cover": 5.0, "recompute_every": 0.1} if method == "influence" else {}
+        plans = Designs(network, method, stakes=stakes, params=params, trial=trial)
+        one, other = plans(0.1, 0.0, silent), plans(0.1, 0.3, silent)
+        assert (one is not other) == differs
+        assert plans(0.1, 0.0, silent) is one
+        assert ("made_for" in one.attrs) == (differs and method == "dissection")
+    fixed = Designs(network, "dissection", stakes=stakes, params={"width": 2}, trial=trial)
+    assert fixed(0.1, 0.0, silent) is fixed(0.2, 0.0, silent)
+
+
+def test_a_refined_plan_counts_only_if_fires_with_a_clock_agree(monkeypatch):
+    network = timed_network(1)
+    stakes = Stakes(network)
+    trial = Trial(Ground(network), FireRequest(duration=as_duration("30min")), stakes, 0)
+    rng = np.random.default_rng(0)
+    given = {"stakes": stakes, "budget": Budget(0.1), "trial": trial}
+    plain = design(network, "random", **given)
+    walls = rank(network, "dissection").to_numpy()
+    for found, counts in ((walls, True), (rng.random(network.shape), False)):
+        monkeypatch.setattr("firebreak_gis.planning.design.improve", lambda *args, found=found, **more: found)
+        refined = design(network, "dissection" if not counts else "random", refine=True, **given)
+        assert ((refined.to_numpy() == found) | ~network.burnable).all() == counts
+    np.testing.assert_array_equal(plain, design(network, "random", **given))
 
 
 def thick_twin(order, network, protected, width):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -199,6 +199,7 @@ def command(
     from firebreak_gis.evaluation.front import front_table, require_fires, stops_told
     from firebreak_gis.files.outputs import write_all
     from firebreak_gis.landscape.target_grid import Account
+    from firebreak_gis.placement.trial import Trial
     from firebreak_gis.planning.comparison import compare_plans, comparison_table
     from firebreak_gis.planning.design import Designs
     from firebreak_gis.planning.scene import files_of, open_scene
@@ -228,13 +229,14 @@ def command(
         session.warn(sentence)
     _require_possible(barred, placed, method_list, budgets, residuals)
     roads = planes.followed(untouched)
+    ground = scene.ground(judged, barred, planes.barriers)
+    trial = Trial(ground, fires, placed, fires.seed) if judged.clock else None
+    known: dict[str, Any] = {"elevation": elevation, "roads": roads, "trial": trial, "seed": fires.seed}
     plans = {
-        label: Designs(barred, method, stakes=placed, params=params, elevation=elevation, roads=roads, seed=fires.seed)
-        for label, method, params in method_list
+        label: Designs(barred, method, stakes=placed, params=params, **known) for label, method, params in method_list
     }
     shares = sorted({budget.share(barred) for budget in budgets})
     value = placed.value if at_stake.valued else None
-    ground = scene.ground(judged, barred, planes.barriers)
     ranking = sum(
         plans[label].distinct(shares, residuals)
         * ranking_seconds(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -184,6 +184,7 @@ def command(
     from firebreak_gis.evaluation.curves import evaluate_fires
     from firebreak_gis.files.outputs import write_all
     from firebreak_gis.landscape.target_grid import Account
+    from firebreak_gis.placement.trial import Trial
     from firebreak_gis.planning.budgets import default_budgets, few_budgets
     from firebreak_gis.planning.design import Designs
     from firebreak_gis.planning.scene import files_of, open_scene
@@ -217,12 +218,14 @@ def command(
         session.warn(sentence)
     usual = few_budgets(0.05, 0.1) if judged.reburnt else default_budgets()
     shares = sorted({budget.share(untouched) for budget in budgets}) if budgets else usual
+    ground = scene.ground(judged, untouched, None)
+    trial = Trial(ground, fires, placed, fires.seed) if judged.clock else None
+    known: dict[str, Any] = {"elevation": elevation, "trial": trial, "seed": fires.seed}
     # A curve needs each plan once, so only the last is kept.
     priorities = {
-        label: Designs(untouched, method, stakes=placed, params=params, elevation=elevation, seed=fires.seed, keep=1)
+        label: Designs(untouched, method, stakes=placed, params=params, keep=1, **known)
         for label, method, params in methods
     }
-    ground = scene.ground(judged, untouched, None)
     passes = len(priorities) * (len(shares) if judged.reburnt else 1)
     ranking = sum(
         priorities[label].distinct(shares)
