@@ -63,9 +63,7 @@ def test_what_passes_a_cell_is_what_was_lit_by_way_of_it(residual, embers):
     given = trial._given(cut, n_runs, 5)
     seed, start = given["request"].seed, given["start"]
     keys = {purpose: draws.run_keys(seed, purpose, n_runs, 5) for purpose in ("edges", "embers")}
-    flying = embers and what_flies(
-        embers, network, keys["embers"], times=[network.travel_time], winds=[(8.0, 300.0)], residual=residual
-    )
+    flying = embers and what_flies(embers, network, keys["embers"], times=[network.travel_time], winds=[(8.0, 300.0)])
     value, expected = stakes.value.ravel(), np.zeros(network.burnable.size)
     for run in range(n_runs):
         fire = Fire(
