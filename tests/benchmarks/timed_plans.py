@@ -228,13 +228,13 @@ def told(lines: list[Line]) -> str:
         text.append(
             f"| {name} | {wind} | {hours} h | {breaks} | {d_f} | {today} | {line.new:.1f} | {line.more:+.0f} % |"
         )
-    as_good = sum(round(line.new, 1) >= round(line.best, 1) for line in lines)
+    worse = [line for line in lines if round(line.new, 1) < round(line.best, 1)]
     quarter = sum(line.more >= 25 for line in lines)
-    within = sum(line.new < line.best < line.new + (line.new - line.low) for line in lines)
+    within = sum(line.best <= 2 * line.new - line.low for line in worse)
     text.append("")
     text.append(
-        f"{len(lines)} rows: as good as the best of five or better in {as_good}, at least 25 % more in {quarter}; "
-        f"{within} of the others lie less below it than the half width of the 95 % interval."
+        f"{len(lines)} rows: at least as much as the best of five in {len(lines) - len(worse)}, at least 25 % more in "
+        f"{quarter}. Of the {len(worse)} others {within} miss it by less than half of the 95 % interval."
     )
     return "\n".join(text)
 
