@@ -592,6 +592,10 @@
         <translation>Gruppen-Betweenness: Zelle für Zelle gebildet, jede deckt schnellste Wege, die die Gruppe noch offen lässt</translation>
     </message>
     <message>
+        <source>Influence: cells by way of which fires with a clock take most, found anew after every few cuts on the same draws</source>
+        <translation>Einfluss: Zellen, über die Feuer mit Zeitablauf am meisten erfassen; nach je einigen Schnitten mit denselben Ziehungen neu ermittelt</translation>
+    </message>
+    <message>
         <source>Information centrality: cells that many parallel ways of spread join closely to all others</source>
         <translation>Informations-Zentralität: Zellen, die viele parallele Ausbreitungswege eng mit allen anderen verbinden</translation>
     </message>

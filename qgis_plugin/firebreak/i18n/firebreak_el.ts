@@ -592,6 +592,10 @@
         <translation>Ομαδική ενδιαμεσικότητα: χτίζεται κελί προς κελί, καθένα καλύπτει ταχύτερες διαδρομές που η ομάδα αφήνει ανοιχτές</translation>
     </message>
     <message>
+        <source>Influence: cells by way of which fires with a clock take most, found anew after every few cuts on the same draws</source>
+        <translation>Επιρροή: κελιά μέσω των οποίων οι φωτιές με χρονόμετρο καίνε τα περισσότερα, που βρίσκονται εκ νέου ύστερα από κάθε λίγες κοπές με τις ίδιες κληρώσεις</translation>
+    </message>
+    <message>
         <source>Information centrality: cells that many parallel ways of spread join closely to all others</source>
         <translation>Κεντρικότητα πληροφορίας: κελιά που πολλοί παράλληλοι δρόμοι εξάπλωσης τα συνδέουν στενά με όλα τα άλλα</translation>
     </message>

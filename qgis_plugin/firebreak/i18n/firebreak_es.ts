@@ -592,6 +592,10 @@
         <translation>Intermediación de grupo: formado celda a celda, cada una cubre rutas más rápidas que el grupo deja abiertas</translation>
     </message>
     <message>
+        <source>Influence: cells by way of which fires with a clock take most, found anew after every few cuts on the same draws</source>
+        <translation>Influencia: celdas a través de las cuales los incendios con reloj queman más, halladas de nuevo tras cada pocos cortes con los mismos sorteos</translation>
+    </message>
+    <message>
         <source>Information centrality: cells that many parallel ways of spread join closely to all others</source>
         <translation>Centralidad de información: celdas que muchas vías paralelas de propagación unen estrechamente con todas las demás</translation>
     </message>

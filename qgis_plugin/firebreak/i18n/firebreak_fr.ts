@@ -592,6 +592,10 @@
         <translation>Intermédiarité de groupe : formé cellule par cellule, chacune couvre des trajets plus rapides que le groupe laisse ouverts</translation>
     </message>
     <message>
+        <source>Influence: cells by way of which fires with a clock take most, found anew after every few cuts on the same draws</source>
+        <translation>Influence : cellules par lesquelles les feux avec horloge brûlent le plus, recherchées à nouveau toutes les quelques coupes avec les mêmes tirages</translation>
+    </message>
+    <message>
         <source>Information centrality: cells that many parallel ways of spread join closely to all others</source>
         <translation>Centralité d'information : cellules que beaucoup de voies parallèles de propagation relient étroitement à toutes les autres</translation>
     </message>

@@ -592,6 +592,10 @@
         <translation>Intermediazione di gruppo: formato cella per cella, ognuna copre percorsi più rapidi che il gruppo lascia aperti</translation>
     </message>
     <message>
+        <source>Influence: cells by way of which fires with a clock take most, found anew after every few cuts on the same draws</source>
+        <translation>Influenza: celle attraverso le quali gli incendi con orologio bruciano di più, ritrovate da capo ogni pochi tagli con le stesse estrazioni</translation>
+    </message>
+    <message>
         <source>Information centrality: cells that many parallel ways of spread join closely to all others</source>
         <translation>Centralità di informazione: celle che molte vie parallele di propagazione uniscono strettamente a tutte le altre</translation>
     </message>

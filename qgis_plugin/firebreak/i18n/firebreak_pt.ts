@@ -592,6 +592,10 @@
         <translation>Intermediação de grupo: formado célula a célula, cada uma cobre trajetos mais rápidos que o grupo deixa abertos</translation>
     </message>
     <message>
+        <source>Influence: cells by way of which fires with a clock take most, found anew after every few cuts on the same draws</source>
+        <translation>Influência: células através das quais os incêndios com relógio queimam mais, determinadas de novo após alguns cortes de cada vez com os mesmos sorteios</translation>
+    </message>
+    <message>
         <source>Information centrality: cells that many parallel ways of spread join closely to all others</source>
         <translation>Centralidade de informação: células que muitas vias paralelas de propagação ligam estreitamente a todas as outras</translation>
     </message>
