@@ -86,11 +86,7 @@ class Session:
         """Say how long the work will take, if that is long; the time left is counted from here."""
         done = max(self._last[2], 0) / 100
         self._begun = (self._worked(time.monotonic()), done, estimate.seconds)
-        if estimate.seconds < _LONG:
-            return
-        if self.progress_mode == "json":
-            self._print_line({"progress": done, "message": estimate.told()})
-        else:
+        if estimate.seconds >= _LONG:
             self.say(estimate.told())
 
     def seconds_left(self, fraction: float, now: float) -> float | None:

@@ -109,6 +109,24 @@ FORMS = (
         tags=("suitability", "ridge", "road", "access"),
     ),
     Form(
+        "delineate",
+        "Compartments bounded by control lines",
+        "prepare",
+        (*_LAYERS, "size_ha", "roads", "rivers", "values", *_WIND, "duration", "ignitions", "n_runs", "seed"),
+        ("OUTPUT_PODS",),
+        "Divide the landscape into compartments of about one size, bounded by the lines that are easiest to hold: "
+        "potential operational delineations (PODs), on which crews agree before a fire.\n\n"
+        "Each compartment has its fuel, ignitions, values, what burns in simulated fires, and how good its border is. "
+        "The second layer of the file holds the borders.",
+        {
+            "compartments": "Compartments",
+            "km": "Borders in kilometres",
+            "border_suitability": "Mean suitability of the borders",
+        },
+        before="align",
+        tags=("pod", "delineation", "control line"),
+    ),
+    Form(
         "plan",
         "Plan fire breaks",
         "cut",

@@ -112,11 +112,12 @@ def test_programs_are_told_in_lines(clock, capsys, monkeypatch):
     clock.time += 10
     session.progress(0.5, "burning")
     lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
-    assert [line["message"].split(" (")[0] for line in lines] == [
+    assert [line.get("said", line.get("message")).split(" (")[0] for line in lines] == [
         "This takes about 1.5 min",
         "compiling, once on this machine",
         "burning",
     ]
+    assert "said" in lines[0], "what stays in the log, not the text of the bar"
     assert lines[-1]["seconds_left"] == 10
 
 

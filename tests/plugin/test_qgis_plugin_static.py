@@ -225,7 +225,12 @@ def test_groups():
     for description in manifest.descriptions():
         found.setdefault(forms.GROUPS[description.form.group], []).append(description.form.title)
     assert found == {
-        "1 Prepare": ["Align landscape", "Spread network", "Where a line can be held"],
+        "1 Prepare": [
+            "Align landscape",
+            "Spread network",
+            "Where a line can be held",
+            "Compartments bounded by control lines",
+        ],
         "2 Rank and cut": ["Plan fire breaks", "Rank cells", "Select fire breaks", "Segments to build"],
         "3 Burn": ["Burn frequency"],
         "4 Judge": [

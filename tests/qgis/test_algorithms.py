@@ -214,6 +214,25 @@ def test_siting(layers, data, reference, tmp_path):
     assert 0 < found["MEAN_SUITABILITY"] < 1
 
 
+def test_delineate(layers, data, reference, tmp_path):
+    roads = str(data / "roads.gpkg")
+    own = tmp_path / "own"
+    firebreak("delineate", "--size", "300ha", "--roads", roads, "--runs", 10, "-o", own, reference / "landscape")
+    found = run(
+        "delineate",
+        **layers,
+        **QUICK,
+        SIZE_HA="300ha",
+        INPUT_ROADS=roads,
+        OUTPUT_PODS=str(tmp_path / "p.gpkg"),
+    )
+    for layer in ("pods", "borders"):
+        assert features(found["OUTPUT_PODS"], layer) == features(own / "pods.gpkg", layer) != []
+    assert found["COMPARTMENTS"] == len(features(own / "pods.gpkg", "pods")) > 1
+    assert 0 < found["BORDER_SUITABILITY"] <= 1
+    assert found["KM"] > 0
+
+
 def test_validate(layers, data, reference, tmp_path):
     scar, start = str(data / "villages.gpkg"), str(data / "ignitions.gpkg")
     runs = ("--runs", QUICK["N_RUNS"], "--start", start, "--duration", "2h", "--wind-speed", 5)

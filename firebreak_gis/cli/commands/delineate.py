@@ -193,6 +193,13 @@ def command(
         OUTPUTS, _Delineated(found, headline, about), output.output, how, progress=part(session.progress, 0.95, 1.0)
     )
     session.finish(
-        {"files": files, "headline": headline, "assumptions": about["assumptions"]},
+        {
+            "files": files,
+            "headline": headline,
+            "compartments": len(fuel),
+            "km": float(length.sum()) / 1000,
+            "border_suitability": mean,
+            "assumptions": about["assumptions"],
+        },
         "\n".join([*headline, *about["assumptions"], f"written to {output.output}"]),
     )

@@ -464,6 +464,278 @@
         <translation>Was eine Linie wert ist, oder eine Reichweite, z. B. ridge=0.8, valley=0 oder reach=60; mehrere durch ; getrennt.</translation>
     </message>
     <message>
+        <source>Compartments bounded by control lines</source>
+        <translation>Brandabschnitte zwischen Kontrolllinien</translation>
+    </message>
+    <message>
+        <source>Divide the landscape into compartments of about one size, bounded by the lines that are easiest to hold: potential operational delineations (PODs), on which crews agree before a fire.</source>
+        <translation>Die Landschaft in etwa gleich große Brandabschnitte teilen, begrenzt von den Linien, die am leichtesten zu halten sind: mögliche Einsatzabschnitte (PODs), auf die sich Einsatzkräfte vor einem Feuer einigen.</translation>
+    </message>
+    <message>
+        <source>Each compartment has its fuel, ignitions, values, what burns in simulated fires, and how good its border is. The second layer of the file holds the borders.</source>
+        <translation>Jeder Abschnitt hat seinen Brennstoff, seine Zündungen und Werte, das, was in simulierten Feuern brennt, und die Güte seiner Grenze. Die zweite Ebene der Datei enthält die Grenzen.</translation>
+    </message>
+    <message>
+        <source>Compartments</source>
+        <translation>Brandabschnitte</translation>
+    </message>
+    <message>
+        <source>Borders in kilometres</source>
+        <translation>Grenzen in Kilometern</translation>
+    </message>
+    <message>
+        <source>Mean suitability of the borders</source>
+        <translation>Mittlere Eignung der Grenzen</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, such as 500ha</source>
+        <translation>Größe der Brandabschnitte, z. B. 500ha</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, hectares of fuel; none is larger than one and a half times this.</source>
+        <translation>Größe der Brandabschnitte in Hektar Brennstoff; keiner ist größer als das Anderthalbfache.</translation>
+    </message>
+    <message>
+        <source>Values at risk</source>
+        <translation>Gefährdete Werte</translation>
+    </message>
+    <message>
+        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
+        <translation>Gefährdete Werte: ein Raster, oder Polygone oder Punkte mit "Feld mit dem Wert" [sonst 1 auf Brennstoff].</translation>
+    </message>
+    <message>
+        <source>How long fires burn, such as 8h</source>
+        <translation>Wie lange Feuer brennen, z. B. 8h</translation>
+    </message>
+    <message>
+        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
+        <translation>Wie lange Feuer brennen: 8h, eine Liste, die die Läufe der Reihe nach nehmen (4h,8h), lognormal:8h,0.7 (Median und Sigma), uniform:2h,12h, oder weather [sonst lognormal:8h,0.7, eine Annahme].</translation>
+    </message>
+    <message>
+        <source>Ignition points</source>
+        <translation>Zündpunkte</translation>
+    </message>
+    <message>
+        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
+        <translation>Punkte, Polygone (Umrisse, die schon brennen; jede Vektordatei, oder CSV mit x und y) oder ein Raster der Zündwahrscheinlichkeit [sonst je Lauf eine zufällige Zelle mit Brennstoff].</translation>
+    </message>
+    <message>
+        <source>Number of fires</source>
+        <translation>Anzahl der Feuer</translation>
+    </message>
+    <message>
+        <source>Simulated fires.</source>
+        <translation>Simulierte Feuer.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert des Zufalls</translation>
+    </message>
+    <message>
+        <source>Seed of all draws.</source>
+        <translation>Startwert aller Zufallszahlen.</translation>
+    </message>
+    <message>
+        <source>How much more the worst ground counts than the best</source>
+        <translation>Wievielmal mehr der schlechteste Boden zählt als der beste</translation>
+    </message>
+    <message>
+        <source>Number of times that the worst ground counts as much as the best, 1 to 100; 1 asks for the shortest borders.</source>
+        <translation>Wievielmal so viel der schlechteste Boden zählt wie der beste, 1 bis 100; 1 verlangt die kürzesten Grenzen.</translation>
+    </message>
+    <message>
+        <source>Field with the value</source>
+        <translation>Feld mit dem Wert</translation>
+    </message>
+    <message>
+        <source>Column of the value polygons or points [default: 1 for each].</source>
+        <translation>Spalte der Wertpolygone oder -punkte [sonst 1 für jedes].</translation>
+    </message>
+    <message>
+        <source>Values are</source>
+        <translation>Die Werte sind</translation>
+    </message>
+    <message>
+        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
+        <translation>Was die Zahlen von "Gefährdete Werte" sind: soviel in jeder Zelle des Rasters, jedem Polygon oder Punkt (Menschen), wovon die Summe erhalten bleibt; oder soviel je Hektar.</translation>
+    </message>
+    <message>
+        <source>So much in each cell, polygon or point</source>
+        <translation>Soviel je Zelle, Polygon oder Punkt</translation>
+    </message>
+    <message>
+        <source>So much a hectare</source>
+        <translation>Soviel je Hektar</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Mehrere gefährdete Werte, z. B. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Mehrere gefährdete Werte, jeder als Name und Datei, dahinter nach Bedarf sein Feld, ein Gewicht (was eine Einheit in der Summe zählt, für die geplant wird) und as=density; mehrere durch ; getrennt, jeder wird mit Namen angegeben.</translation>
+    </message>
+    <message>
+        <source>Conditions on features, such as barriers=highway = 'primary'</source>
+        <translation>Bedingungen an Objekte, z. B. barriers=highway = 'primary'</translation>
+    </message>
+    <message>
+        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
+        <translation>Nimmt nur Objekte, die eine Bedingung erfüllen, mit dem Namen des Layers davor, z. B. barriers=highway = 'primary'; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>Use of the ignition points</source>
+        <translation>Verwendung der Zündpunkte</translation>
+    </message>
+    <message>
+        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
+        <translation>Bei Punkten oder Polygonen: die Läufe nehmen sie der Reihe nach (der Startwert lost die Folge), beginnen an allen, oder beginnen, wo solche Feuer der Vergangenheit dicht liegen.</translation>
+    </message>
+    <message>
+        <source>One for each fire, in turn</source>
+        <translation>Einer je Feuer, der Reihe nach</translation>
+    </message>
+    <message>
+        <source>All at once in every fire</source>
+        <translation>Alle zugleich in jedem Feuer</translation>
+    </message>
+    <message>
+        <source>More fires where they are dense</source>
+        <translation>Mehr Feuer, wo sie dicht liegen</translation>
+    </message>
+    <message>
+        <source>Ignition points without fuel</source>
+        <translation>Zündpunkte ohne Brennstoff</translation>
+    </message>
+    <message>
+        <source>What to do with points and polygons off the landscape or without fuel.</source>
+        <translation>Was mit Punkten und Polygonen außerhalb der Landschaft oder ohne Brennstoff geschieht.</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Column with the hour of each ignition</source>
+        <translation>Spalte mit der Stunde jeder Zündung</translation>
+    </message>
+    <message>
+        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
+        <translation>Spalte der Zündungen, die sagt, wann jede entsteht, in Stunden nach Beginn des Laufs.</translation>
+    </message>
+    <message>
+        <source>Embers</source>
+        <translation>Flugfeuer</translation>
+    </message>
+    <message>
+        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
+        <translation>Glut, die dem Feuer vorausfliegt: on, oder Zahlen wie rate=12,longest=1000 an Stelle der angenommenen.</translation>
+    </message>
+    <message>
+        <source>When crews contain a fire, such as 6h</source>
+        <translation>Wann Einsatzkräfte ein Feuer eindämmen, z. B. 6h</translation>
+    </message>
+    <message>
+        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
+        <translation>Wann Einsatzkräfte jedes Feuer eindämmen: eine Zeit oder eine Verteilung wie für "Wie lange Feuer brennen", oder ein direkter Angriff zu solcher Zeit, der misslingt, wenn das Feuer dann zu groß oder zu heftig ist: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha darüber) [sonst nie].</translation>
+    </message>
+    <message>
+        <source>How often a break holds, such as 0.47</source>
+        <translation>Wie oft eine Schneise hält, z. B. 0.47</translation>
+    </message>
+    <message>
+        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
+        <translation>Wie oft ein Stück Schneise in einem Lauf hält: ein Anteil (0.47 im Gelände), flame (nach Breite und Intensität des Feuers, Wilson 1988) oder flame:flames (1.5 Flammenlängen); Stücke haben 400 m, oder wie in 0.47:800 [sonst 0.47, eine Annahme].</translation>
+    </message>
+    <message>
+        <source>How often a barrier holds, such as 0.9</source>
+        <translation>Wie oft eine Barriere hält, z. B. 0.9</translation>
+    </message>
+    <message>
+        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
+        <translation>Anteil der Läufe, in denen ein Stück der Barrieren hält; getrennt von den Schneisen gezogen.</translation>
+    </message>
+    <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Standorte der Einsatzkräfte, auf die Schneisen warten</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Punkte oder Flächen, von denen Einsatzkräfte aufbrechen: ein Stück Schneise hält nur gegen Feuer, das nach ihnen kommt [sonst sind Einsatzkräfte überall].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Fahrt der Einsatzkräfte, z. B. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Wie sie fahren: Geschwindigkeit auf Straßen und abseits in km/h, und Minuten vom Beginn des Feuers bis zum Aufbruch [sonst road=40,off=3,delay=10, Annahmen].</translation>
+    </message>
+    <message>
+        <source>Fires without an end by time</source>
+        <translation>Feuer ohne zeitliches Ende</translation>
+    </message>
+    <message>
+        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
+        <translation>Feuer enden von selbst, und Schneisen halten in jedem Feuer, wenn "Wie oft eine Schneise hält" nichts anderes sagt, wie in der Veröffentlichung.</translation>
+    </message>
+    <message>
+        <source>Table of weather</source>
+        <translation>Wettertabelle</translation>
+    </message>
+    <message>
+        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
+        <translation>Menge von Wetterlagen, von denen jeder Lauf eine zieht: eine CSV-Datei mit wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; oder eine Windrose wie rose:NW=5x0.4,N=8x0.2.</translation>
+    </message>
+    <message>
+        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
+        <translation>als Windrose: rose:NW=5x0.4,N=8x0.2</translation>
+    </message>
+    <message>
+        <source>Time of each line of the table of weather, such as 1h</source>
+        <translation>Dauer jeder Zeile der Wettertabelle, z. B. 1h</translation>
+    </message>
+    <message>
+        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
+        <translation>Die Zeilen des Wetters folgen aufeinander, und jede dauert so lange, z. B. 1h.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather, such as wind_speed=FF</source>
+        <translation>Spalten der Wettertabelle, z. B. wind_speed=FF</translation>
+    </message>
+    <message>
+        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
+        <translation>Name einer Spalte des Wetters, z. B. wind_speed=FF; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>Units of the table of weather, such as wind_speed=kn</source>
+        <translation>Einheiten der Wettertabelle, z. B. wind_speed=kn</translation>
+    </message>
+    <message>
+        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
+        <translation>Einheit einer Spalte des Wetters, die sie nicht nennt, z. B. wind_speed=kn; mehrere durch ; getrennt.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather to leave out</source>
+        <translation>Spalten der Wettertabelle, die wegbleiben</translation>
+    </message>
+    <message>
+        <source>Columns of the weather to leave out, separated by commas.</source>
+        <translation>Spalten des Wetters, die wegbleiben, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, and their borders</source>
+        <translation>Brandabschnitte zwischen Kontrolllinien, und ihre Grenzen</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, without outlines</source>
+        <translation>Brandabschnitte zwischen Kontrolllinien, ohne Umrisse</translation>
+    </message>
+    <message>
+        <source>Borders of the compartments, without lines</source>
+        <translation>Grenzen der Brandabschnitte, ohne Linien</translation>
+    </message>
+    <message>
         <source>Plan fire breaks</source>
         <translation>Brandschneisen planen</translation>
     </message>
@@ -488,14 +760,6 @@
         <translation>Mittlerer verbrannter Anteil mit den Schneisen</translation>
     </message>
     <message>
-        <source>Values at risk</source>
-        <translation>Gefährdete Werte</translation>
-    </message>
-    <message>
-        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
-        <translation>Gefährdete Werte: ein Raster, oder Polygone oder Punkte mit "Feld mit dem Wert" [sonst 1 auf Brennstoff].</translation>
-    </message>
-    <message>
         <source>Area where nothing may be cut</source>
         <translation>Gebiet, in dem nichts geschnitten werden darf</translation>
     </message>
@@ -510,14 +774,6 @@
     <message>
         <source>Existing breaks, roads, rivers (raster, lines or polygons): all cells that they cut hold no fuel and cost nothing.</source>
         <translation>Vorhandene Schneisen, Straßen, Flüsse (Raster, Linien oder Polygone): alle Zellen, die sie schneiden, haben keinen Brennstoff und kosten nichts.</translation>
-    </message>
-    <message>
-        <source>How long fires burn, such as 8h</source>
-        <translation>Wie lange Feuer brennen, z. B. 8h</translation>
-    </message>
-    <message>
-        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
-        <translation>Wie lange Feuer brennen: 8h, eine Liste, die die Läufe der Reihe nach nehmen (4h,8h), lognormal:8h,0.7 (Median und Sigma), uniform:2h,12h, oder weather [sonst lognormal:8h,0.7, eine Annahme].</translation>
     </message>
     <message>
         <source>Budget, such as 10%, 5ha or 20000eur</source>
@@ -618,22 +874,6 @@
     <message>
         <source>Stripes: parallel bands across a direction, the plainest pattern of practice</source>
         <translation>Streifen: parallele Bänder quer zu einer Richtung, das schlichteste Muster der Praxis</translation>
-    </message>
-    <message>
-        <source>Ignition points</source>
-        <translation>Zündpunkte</translation>
-    </message>
-    <message>
-        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
-        <translation>Punkte, Polygone (Umrisse, die schon brennen; jede Vektordatei, oder CSV mit x und y) oder ein Raster der Zündwahrscheinlichkeit [sonst je Lauf eine zufällige Zelle mit Brennstoff].</translation>
-    </message>
-    <message>
-        <source>Number of fires</source>
-        <translation>Anzahl der Feuer</translation>
-    </message>
-    <message>
-        <source>Simulated fires.</source>
-        <translation>Simulierte Feuer.</translation>
     </message>
     <message>
         <source>Unit of a budget that is a plain number</source>
@@ -824,38 +1064,6 @@
         <translation>Zellen, deren Mittelpunkt im Gebiet liegt</translation>
     </message>
     <message>
-        <source>Field with the value</source>
-        <translation>Feld mit dem Wert</translation>
-    </message>
-    <message>
-        <source>Column of the value polygons or points [default: 1 for each].</source>
-        <translation>Spalte der Wertpolygone oder -punkte [sonst 1 für jedes].</translation>
-    </message>
-    <message>
-        <source>Values are</source>
-        <translation>Die Werte sind</translation>
-    </message>
-    <message>
-        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
-        <translation>Was die Zahlen von "Gefährdete Werte" sind: soviel in jeder Zelle des Rasters, jedem Polygon oder Punkt (Menschen), wovon die Summe erhalten bleibt; oder soviel je Hektar.</translation>
-    </message>
-    <message>
-        <source>So much in each cell, polygon or point</source>
-        <translation>Soviel je Zelle, Polygon oder Punkt</translation>
-    </message>
-    <message>
-        <source>So much a hectare</source>
-        <translation>Soviel je Hektar</translation>
-    </message>
-    <message>
-        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
-        <translation>Mehrere gefährdete Werte, z. B. people=villages.gpkg,weight=2</translation>
-    </message>
-    <message>
-        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
-        <translation>Mehrere gefährdete Werte, jeder als Name und Datei, dahinter nach Bedarf sein Feld, ein Gewicht (was eine Einheit in der Summe zählt, für die geplant wird) und as=density; mehrere durch ; getrennt, jeder wird mit Namen angegeben.</translation>
-    </message>
-    <message>
         <source>Area of interest that is planned for</source>
         <translation>Gebiet, für das geplant wird</translation>
     </message>
@@ -894,162 +1102,6 @@
     <message>
         <source>Ground within this of a road is not cut: 50m.</source>
         <translation>Gelände in dieser Entfernung von einer Straße wird nicht geschnitten: 50m.</translation>
-    </message>
-    <message>
-        <source>Conditions on features, such as barriers=highway = 'primary'</source>
-        <translation>Bedingungen an Objekte, z. B. barriers=highway = 'primary'</translation>
-    </message>
-    <message>
-        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
-        <translation>Nimmt nur Objekte, die eine Bedingung erfüllen, mit dem Namen des Layers davor, z. B. barriers=highway = 'primary'; mehrere durch ; getrennt.</translation>
-    </message>
-    <message>
-        <source>Use of the ignition points</source>
-        <translation>Verwendung der Zündpunkte</translation>
-    </message>
-    <message>
-        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
-        <translation>Bei Punkten oder Polygonen: die Läufe nehmen sie der Reihe nach (der Startwert lost die Folge), beginnen an allen, oder beginnen, wo solche Feuer der Vergangenheit dicht liegen.</translation>
-    </message>
-    <message>
-        <source>One for each fire, in turn</source>
-        <translation>Einer je Feuer, der Reihe nach</translation>
-    </message>
-    <message>
-        <source>All at once in every fire</source>
-        <translation>Alle zugleich in jedem Feuer</translation>
-    </message>
-    <message>
-        <source>More fires where they are dense</source>
-        <translation>Mehr Feuer, wo sie dicht liegen</translation>
-    </message>
-    <message>
-        <source>Ignition points without fuel</source>
-        <translation>Zündpunkte ohne Brennstoff</translation>
-    </message>
-    <message>
-        <source>What to do with points and polygons off the landscape or without fuel.</source>
-        <translation>Was mit Punkten und Polygonen außerhalb der Landschaft oder ohne Brennstoff geschieht.</translation>
-    </message>
-    <message>
-        <source>Leave them out</source>
-        <translation>Auslassen</translation>
-    </message>
-    <message>
-        <source>Column with the hour of each ignition</source>
-        <translation>Spalte mit der Stunde jeder Zündung</translation>
-    </message>
-    <message>
-        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
-        <translation>Spalte der Zündungen, die sagt, wann jede entsteht, in Stunden nach Beginn des Laufs.</translation>
-    </message>
-    <message>
-        <source>Embers</source>
-        <translation>Flugfeuer</translation>
-    </message>
-    <message>
-        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
-        <translation>Glut, die dem Feuer vorausfliegt: on, oder Zahlen wie rate=12,longest=1000 an Stelle der angenommenen.</translation>
-    </message>
-    <message>
-        <source>When crews contain a fire, such as 6h</source>
-        <translation>Wann Einsatzkräfte ein Feuer eindämmen, z. B. 6h</translation>
-    </message>
-    <message>
-        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
-        <translation>Wann Einsatzkräfte jedes Feuer eindämmen: eine Zeit oder eine Verteilung wie für "Wie lange Feuer brennen", oder ein direkter Angriff zu solcher Zeit, der misslingt, wenn das Feuer dann zu groß oder zu heftig ist: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha darüber) [sonst nie].</translation>
-    </message>
-    <message>
-        <source>How often a break holds, such as 0.47</source>
-        <translation>Wie oft eine Schneise hält, z. B. 0.47</translation>
-    </message>
-    <message>
-        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
-        <translation>Wie oft ein Stück Schneise in einem Lauf hält: ein Anteil (0.47 im Gelände), flame (nach Breite und Intensität des Feuers, Wilson 1988) oder flame:flames (1.5 Flammenlängen); Stücke haben 400 m, oder wie in 0.47:800 [sonst 0.47, eine Annahme].</translation>
-    </message>
-    <message>
-        <source>How often a barrier holds, such as 0.9</source>
-        <translation>Wie oft eine Barriere hält, z. B. 0.9</translation>
-    </message>
-    <message>
-        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
-        <translation>Anteil der Läufe, in denen ein Stück der Barrieren hält; getrennt von den Schneisen gezogen.</translation>
-    </message>
-    <message>
-        <source>Stations of crews whom breaks wait for</source>
-        <translation>Standorte der Einsatzkräfte, auf die Schneisen warten</translation>
-    </message>
-    <message>
-        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
-        <translation>Punkte oder Flächen, von denen Einsatzkräfte aufbrechen: ein Stück Schneise hält nur gegen Feuer, das nach ihnen kommt [sonst sind Einsatzkräfte überall].</translation>
-    </message>
-    <message>
-        <source>Travel of crews, such as road=40,off=3,delay=10</source>
-        <translation>Fahrt der Einsatzkräfte, z. B. road=40,off=3,delay=10</translation>
-    </message>
-    <message>
-        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
-        <translation>Wie sie fahren: Geschwindigkeit auf Straßen und abseits in km/h, und Minuten vom Beginn des Feuers bis zum Aufbruch [sonst road=40,off=3,delay=10, Annahmen].</translation>
-    </message>
-    <message>
-        <source>Fires without an end by time</source>
-        <translation>Feuer ohne zeitliches Ende</translation>
-    </message>
-    <message>
-        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
-        <translation>Feuer enden von selbst, und Schneisen halten in jedem Feuer, wenn "Wie oft eine Schneise hält" nichts anderes sagt, wie in der Veröffentlichung.</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Startwert des Zufalls</translation>
-    </message>
-    <message>
-        <source>Seed of all draws.</source>
-        <translation>Startwert aller Zufallszahlen.</translation>
-    </message>
-    <message>
-        <source>Table of weather</source>
-        <translation>Wettertabelle</translation>
-    </message>
-    <message>
-        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
-        <translation>Menge von Wetterlagen, von denen jeder Lauf eine zieht: eine CSV-Datei mit wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; oder eine Windrose wie rose:NW=5x0.4,N=8x0.2.</translation>
-    </message>
-    <message>
-        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
-        <translation>als Windrose: rose:NW=5x0.4,N=8x0.2</translation>
-    </message>
-    <message>
-        <source>Time of each line of the table of weather, such as 1h</source>
-        <translation>Dauer jeder Zeile der Wettertabelle, z. B. 1h</translation>
-    </message>
-    <message>
-        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
-        <translation>Die Zeilen des Wetters folgen aufeinander, und jede dauert so lange, z. B. 1h.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather, such as wind_speed=FF</source>
-        <translation>Spalten der Wettertabelle, z. B. wind_speed=FF</translation>
-    </message>
-    <message>
-        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
-        <translation>Name einer Spalte des Wetters, z. B. wind_speed=FF; mehrere durch ; getrennt.</translation>
-    </message>
-    <message>
-        <source>Units of the table of weather, such as wind_speed=kn</source>
-        <translation>Einheiten der Wettertabelle, z. B. wind_speed=kn</translation>
-    </message>
-    <message>
-        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
-        <translation>Einheit einer Spalte des Wetters, die sie nicht nennt, z. B. wind_speed=kn; mehrere durch ; getrennt.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather to leave out</source>
-        <translation>Spalten der Wettertabelle, die wegbleiben</translation>
-    </message>
-    <message>
-        <source>Columns of the weather to leave out, separated by commas.</source>
-        <translation>Spalten des Wetters, die wegbleiben, durch Kommas getrennt.</translation>
     </message>
     <message>
         <source>Fire breaks</source>
@@ -1190,10 +1242,6 @@
     <message>
         <source>Length in kilometres</source>
         <translation>Länge in Kilometern</translation>
-    </message>
-    <message>
-        <source>Compartments</source>
-        <translation>Brandabschnitte</translation>
     </message>
     <message>
         <source>Cells that are cut: 1, all others 0.</source>

@@ -464,6 +464,278 @@
         <translation>Τι αξίζει μια γραμμή, ή μια απόσταση, π.χ. ridge=0.8, valley=0 ή reach=60· πολλά χωρίζονται με ;.</translation>
     </message>
     <message>
+        <source>Compartments bounded by control lines</source>
+        <translation>Διαμερίσματα που ορίζονται από γραμμές ελέγχου</translation>
+    </message>
+    <message>
+        <source>Divide the landscape into compartments of about one size, bounded by the lines that are easiest to hold: potential operational delineations (PODs), on which crews agree before a fire.</source>
+        <translation>Διαίρεση του τοπίου σε διαμερίσματα παρόμοιου μεγέθους, που τα ορίζουν οι γραμμές που κρατιούνται πιο εύκολα: δυνητικές επιχειρησιακές οριοθετήσεις (PODs), τις οποίες συμφωνούν τα συνεργεία πριν από μια φωτιά.</translation>
+    </message>
+    <message>
+        <source>Each compartment has its fuel, ignitions, values, what burns in simulated fires, and how good its border is. The second layer of the file holds the borders.</source>
+        <translation>Κάθε διαμέρισμα έχει την καύσιμη ύλη του, τις ενάρξεις και τις αξίες του, όσα καίγονται σε προσομοιωμένες φωτιές και το πόσο καλό είναι το όριό του. Το δεύτερο επίπεδο του αρχείου περιέχει τα όρια.</translation>
+    </message>
+    <message>
+        <source>Compartments</source>
+        <translation>Διαμερίσματα</translation>
+    </message>
+    <message>
+        <source>Borders in kilometres</source>
+        <translation>Όρια σε χιλιόμετρα</translation>
+    </message>
+    <message>
+        <source>Mean suitability of the borders</source>
+        <translation>Μέση καταλληλότητα των ορίων</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, such as 500ha</source>
+        <translation>Μέγεθος των διαμερισμάτων, π.χ. 500ha</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, hectares of fuel; none is larger than one and a half times this.</source>
+        <translation>Μέγεθος των διαμερισμάτων, σε εκτάρια καύσιμης ύλης· κανένα δεν ξεπερνά τη μιάμιση φορά αυτή την τιμή.</translation>
+    </message>
+    <message>
+        <source>Values at risk</source>
+        <translation>Αξίες σε κίνδυνο</translation>
+    </message>
+    <message>
+        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
+        <translation>Αξίες σε κίνδυνο: ψηφιδωτό, ή πολύγωνα ή σημεία με "Πεδίο με την αξία" [αλλιώς 1 στην καύσιμη ύλη].</translation>
+    </message>
+    <message>
+        <source>How long fires burn, such as 8h</source>
+        <translation>Πόσο διαρκούν οι πυρκαγιές, π.χ. 8h</translation>
+    </message>
+    <message>
+        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
+        <translation>Πόσο διαρκούν οι πυρκαγιές: 8h, λίστα που παίρνουν με τη σειρά οι εκτελέσεις (4h,8h), lognormal:8h,0.7 (διάμεσος και σίγμα), uniform:2h,12h, ή weather [αλλιώς lognormal:8h,0.7, μια παραδοχή].</translation>
+    </message>
+    <message>
+        <source>Ignition points</source>
+        <translation>Σημεία έναρξης</translation>
+    </message>
+    <message>
+        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
+        <translation>Σημεία, πολύγωνα (περίμετροι που ήδη καίγονται· κάθε διανυσματικό αρχείο, ή CSV με x και y) ή ψηφιδωτό πιθανότητας έναρξης [αλλιώς ένα τυχαίο κελί με καύσιμη ύλη ανά εκτέλεση].</translation>
+    </message>
+    <message>
+        <source>Number of fires</source>
+        <translation>Αριθμός πυρκαγιών</translation>
+    </message>
+    <message>
+        <source>Simulated fires.</source>
+        <translation>Προσομοιωμένες πυρκαγιές.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Σπόρος τυχαίων αριθμών</translation>
+    </message>
+    <message>
+        <source>Seed of all draws.</source>
+        <translation>Σπόρος όλων των κληρώσεων.</translation>
+    </message>
+    <message>
+        <source>How much more the worst ground counts than the best</source>
+        <translation>Πόσο περισσότερο μετρά το χειρότερο έδαφος από το καλύτερο</translation>
+    </message>
+    <message>
+        <source>Number of times that the worst ground counts as much as the best, 1 to 100; 1 asks for the shortest borders.</source>
+        <translation>Πόσες φορές μετρά το χειρότερο έδαφος όσο το καλύτερο, 1 έως 100· με 1 ζητούνται τα συντομότερα όρια.</translation>
+    </message>
+    <message>
+        <source>Field with the value</source>
+        <translation>Πεδίο με την αξία</translation>
+    </message>
+    <message>
+        <source>Column of the value polygons or points [default: 1 for each].</source>
+        <translation>Στήλη των πολυγώνων ή σημείων αξίας [αλλιώς 1 για το καθένα].</translation>
+    </message>
+    <message>
+        <source>Values are</source>
+        <translation>Οι αξίες είναι</translation>
+    </message>
+    <message>
+        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
+        <translation>Τι είναι οι αριθμοί των "Αξίες σε κίνδυνο": τόσο σε κάθε κελί του ψηφιδωτού, πολύγωνο ή σημείο (άνθρωποι), με το άθροισμα να διατηρείται· ή τόσο ανά εκτάριο.</translation>
+    </message>
+    <message>
+        <source>So much in each cell, polygon or point</source>
+        <translation>Τόσο σε κάθε κελί, πολύγωνο ή σημείο</translation>
+    </message>
+    <message>
+        <source>So much a hectare</source>
+        <translation>Τόσο ανά εκτάριο</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Πολλές αξίες σε κίνδυνο, π.χ. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Πολλές αξίες σε κίνδυνο, καθεμία ως όνομα και αρχείο, και μετά, αν χρειάζεται, το πεδίο της, ένα βάρος (πόσο μετρά μια μονάδα στο άθροισμα για το οποίο γίνεται το σχέδιο) και as=density· πολλές χωρίζονται με ;, καθεμία δίνεται με το όνομά της.</translation>
+    </message>
+    <message>
+        <source>Conditions on features, such as barriers=highway = 'primary'</source>
+        <translation>Συνθήκες για στοιχεία, π.χ. barriers=highway = 'primary'</translation>
+    </message>
+    <message>
+        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
+        <translation>Παίρνει μόνο στοιχεία που πληρούν μια συνθήκη, με το όνομα του επιπέδου μπροστά, π.χ. barriers=highway = 'primary'· πολλές χωρίζονται με ;.</translation>
+    </message>
+    <message>
+        <source>Use of the ignition points</source>
+        <translation>Χρήση των σημείων έναρξης</translation>
+    </message>
+    <message>
+        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
+        <translation>Με σημεία ή πολύγωνα: οι εκτελέσεις τα παίρνουν με τη σειρά (ο σπόρος κληρώνει τη σειρά), αρχίζουν από όλα, ή αρχίζουν όπου τέτοιες πυρκαγιές του παρελθόντος είναι πυκνές.</translation>
+    </message>
+    <message>
+        <source>One for each fire, in turn</source>
+        <translation>Ένα για κάθε πυρκαγιά, με τη σειρά</translation>
+    </message>
+    <message>
+        <source>All at once in every fire</source>
+        <translation>Όλα μαζί σε κάθε πυρκαγιά</translation>
+    </message>
+    <message>
+        <source>More fires where they are dense</source>
+        <translation>Περισσότερες πυρκαγιές όπου είναι πυκνά</translation>
+    </message>
+    <message>
+        <source>Ignition points without fuel</source>
+        <translation>Σημεία έναρξης χωρίς καύσιμη ύλη</translation>
+    </message>
+    <message>
+        <source>What to do with points and polygons off the landscape or without fuel.</source>
+        <translation>Τι γίνεται με σημεία και πολύγωνα έξω από το τοπίο ή χωρίς καύσιμη ύλη.</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Παραλείπονται</translation>
+    </message>
+    <message>
+        <source>Column with the hour of each ignition</source>
+        <translation>Στήλη με την ώρα κάθε έναρξης</translation>
+    </message>
+    <message>
+        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
+        <translation>Στήλη των σημείων έναρξης που λέει πότε ανάβει το καθένα, σε ώρες μετά την αρχή της εκτέλεσης.</translation>
+    </message>
+    <message>
+        <source>Embers</source>
+        <translation>Καύτρες</translation>
+    </message>
+    <message>
+        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
+        <translation>Καύτρες που πετούν μπροστά από τη φωτιά: on, ή αριθμοί όπως rate=12,longest=1000 αντί για τους υποτιθέμενους.</translation>
+    </message>
+    <message>
+        <source>When crews contain a fire, such as 6h</source>
+        <translation>Πότε τα συνεργεία περιορίζουν μια πυρκαγιά, π.χ. 6h</translation>
+    </message>
+    <message>
+        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
+        <translation>Πότε τα συνεργεία περιορίζουν κάθε πυρκαγιά: χρόνος ή κατανομή όπως στο "Πόσο διαρκούν οι πυρκαγιές", ή άμεση προσβολή σε τέτοιο χρόνο, που αποτυγχάνει αν η φωτιά είναι τότε πολύ μεγάλη ή σφοδρή: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha πάνω από αυτό) [αλλιώς ποτέ].</translation>
+    </message>
+    <message>
+        <source>How often a break holds, such as 0.47</source>
+        <translation>Πόσο συχνά κρατά μια ζώνη, π.χ. 0.47</translation>
+    </message>
+    <message>
+        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
+        <translation>Πόσο συχνά κρατά ένα κομμάτι ζώνης σε μια εκτέλεση: ποσοστό (0.47 στο πεδίο), flame (κατά το πλάτος και την ένταση της φωτιάς, Wilson 1988) ή flame:flames (1.5 μήκη φλόγας)· τα κομμάτια έχουν 400 m, ή όπως στο 0.47:800 [αλλιώς 0.47, μια παραδοχή].</translation>
+    </message>
+    <message>
+        <source>How often a barrier holds, such as 0.9</source>
+        <translation>Πόσο συχνά κρατά ένα εμπόδιο, π.χ. 0.9</translation>
+    </message>
+    <message>
+        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
+        <translation>Ποσοστό των εκτελέσεων όπου κρατά ένα κομμάτι των εμποδίων· κληρώνεται χωριστά από τις ζώνες.</translation>
+    </message>
+    <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Σταθμοί των συνεργείων που περιμένουν οι ζώνες</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Σημεία ή περιοχές από όπου ξεκινούν τα συνεργεία: ένα κομμάτι ζώνης κρατά μόνο απέναντι σε φωτιά που έρχεται μετά από αυτά [αλλιώς τα συνεργεία είναι παντού].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Μετακίνηση των συνεργείων, π.χ. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Πώς μετακινούνται: ταχύτητα σε δρόμους και εκτός δρόμων σε km/h, και λεπτά από την αρχή της φωτιάς ώσπου να ξεκινήσουν [αλλιώς road=40,off=3,delay=10, παραδοχές].</translation>
+    </message>
+    <message>
+        <source>Fires without an end by time</source>
+        <translation>Πυρκαγιές χωρίς χρονικό τέλος</translation>
+    </message>
+    <message>
+        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
+        <translation>Οι πυρκαγιές τελειώνουν μόνες τους και οι ζώνες κρατούν σε κάθε πυρκαγιά, αν το "Πόσο συχνά κρατά μια ζώνη" δεν λέει άλλο, όπως στη δημοσίευση.</translation>
+    </message>
+    <message>
+        <source>Table of weather</source>
+        <translation>Πίνακας καιρού</translation>
+    </message>
+    <message>
+        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
+        <translation>Σύνολο καιρικών συνθηκών, από τις οποίες κάθε εκτέλεση κληρώνει μία: αρχείο CSV με wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time· ή ροδόγραμμα ανέμου όπως rose:NW=5x0.4,N=8x0.2.</translation>
+    </message>
+    <message>
+        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
+        <translation>ως ροδόγραμμα ανέμου: rose:NW=5x0.4,N=8x0.2</translation>
+    </message>
+    <message>
+        <source>Time of each line of the table of weather, such as 1h</source>
+        <translation>Διάρκεια κάθε γραμμής του πίνακα καιρού, π.χ. 1h</translation>
+    </message>
+    <message>
+        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
+        <translation>Οι γραμμές του καιρού ακολουθούν η μία την άλλη, και καθεμία διαρκεί τόσο, π.χ. 1h.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather, such as wind_speed=FF</source>
+        <translation>Στήλες του πίνακα καιρού, π.χ. wind_speed=FF</translation>
+    </message>
+    <message>
+        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
+        <translation>Όνομα μιας στήλης του καιρού, π.χ. wind_speed=FF· πολλά χωρίζονται με ;.</translation>
+    </message>
+    <message>
+        <source>Units of the table of weather, such as wind_speed=kn</source>
+        <translation>Μονάδες του πίνακα καιρού, π.χ. wind_speed=kn</translation>
+    </message>
+    <message>
+        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
+        <translation>Μονάδα μιας στήλης του καιρού που δεν τη λέει, π.χ. wind_speed=kn· πολλές χωρίζονται με ;.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather to leave out</source>
+        <translation>Στήλες του πίνακα καιρού που παραλείπονται</translation>
+    </message>
+    <message>
+        <source>Columns of the weather to leave out, separated by commas.</source>
+        <translation>Στήλες του καιρού που παραλείπονται, χωρισμένες με κόμματα.</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, and their borders</source>
+        <translation>Διαμερίσματα που ορίζονται από γραμμές ελέγχου, και τα όριά τους</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, without outlines</source>
+        <translation>Διαμερίσματα που ορίζονται από γραμμές ελέγχου, χωρίς περιγράμματα</translation>
+    </message>
+    <message>
+        <source>Borders of the compartments, without lines</source>
+        <translation>Όρια των διαμερισμάτων, χωρίς γραμμές</translation>
+    </message>
+    <message>
         <source>Plan fire breaks</source>
         <translation>Σχεδιασμός αντιπυρικών ζωνών</translation>
     </message>
@@ -488,14 +760,6 @@
         <translation>Μέσο καμένο ποσοστό με τις ζώνες</translation>
     </message>
     <message>
-        <source>Values at risk</source>
-        <translation>Αξίες σε κίνδυνο</translation>
-    </message>
-    <message>
-        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
-        <translation>Αξίες σε κίνδυνο: ψηφιδωτό, ή πολύγωνα ή σημεία με "Πεδίο με την αξία" [αλλιώς 1 στην καύσιμη ύλη].</translation>
-    </message>
-    <message>
         <source>Area where nothing may be cut</source>
         <translation>Περιοχή όπου δεν επιτρέπεται κοπή</translation>
     </message>
@@ -510,14 +774,6 @@
     <message>
         <source>Existing breaks, roads, rivers (raster, lines or polygons): all cells that they cut hold no fuel and cost nothing.</source>
         <translation>Υπάρχουσες ζώνες, δρόμοι, ποτάμια (ψηφιδωτό, γραμμές ή πολύγωνα): όλα τα κελιά που κόβουν δεν έχουν καύσιμη ύλη και δεν κοστίζουν.</translation>
-    </message>
-    <message>
-        <source>How long fires burn, such as 8h</source>
-        <translation>Πόσο διαρκούν οι πυρκαγιές, π.χ. 8h</translation>
-    </message>
-    <message>
-        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
-        <translation>Πόσο διαρκούν οι πυρκαγιές: 8h, λίστα που παίρνουν με τη σειρά οι εκτελέσεις (4h,8h), lognormal:8h,0.7 (διάμεσος και σίγμα), uniform:2h,12h, ή weather [αλλιώς lognormal:8h,0.7, μια παραδοχή].</translation>
     </message>
     <message>
         <source>Budget, such as 10%, 5ha or 20000eur</source>
@@ -618,22 +874,6 @@
     <message>
         <source>Stripes: parallel bands across a direction, the plainest pattern of practice</source>
         <translation>Λωρίδες: παράλληλες λωρίδες κάθετα σε μια διεύθυνση, το απλούστερο σχέδιο της πράξης</translation>
-    </message>
-    <message>
-        <source>Ignition points</source>
-        <translation>Σημεία έναρξης</translation>
-    </message>
-    <message>
-        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
-        <translation>Σημεία, πολύγωνα (περίμετροι που ήδη καίγονται· κάθε διανυσματικό αρχείο, ή CSV με x και y) ή ψηφιδωτό πιθανότητας έναρξης [αλλιώς ένα τυχαίο κελί με καύσιμη ύλη ανά εκτέλεση].</translation>
-    </message>
-    <message>
-        <source>Number of fires</source>
-        <translation>Αριθμός πυρκαγιών</translation>
-    </message>
-    <message>
-        <source>Simulated fires.</source>
-        <translation>Προσομοιωμένες πυρκαγιές.</translation>
     </message>
     <message>
         <source>Unit of a budget that is a plain number</source>
@@ -824,38 +1064,6 @@
         <translation>Κελιά με το κέντρο στην περιοχή</translation>
     </message>
     <message>
-        <source>Field with the value</source>
-        <translation>Πεδίο με την αξία</translation>
-    </message>
-    <message>
-        <source>Column of the value polygons or points [default: 1 for each].</source>
-        <translation>Στήλη των πολυγώνων ή σημείων αξίας [αλλιώς 1 για το καθένα].</translation>
-    </message>
-    <message>
-        <source>Values are</source>
-        <translation>Οι αξίες είναι</translation>
-    </message>
-    <message>
-        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
-        <translation>Τι είναι οι αριθμοί των "Αξίες σε κίνδυνο": τόσο σε κάθε κελί του ψηφιδωτού, πολύγωνο ή σημείο (άνθρωποι), με το άθροισμα να διατηρείται· ή τόσο ανά εκτάριο.</translation>
-    </message>
-    <message>
-        <source>So much in each cell, polygon or point</source>
-        <translation>Τόσο σε κάθε κελί, πολύγωνο ή σημείο</translation>
-    </message>
-    <message>
-        <source>So much a hectare</source>
-        <translation>Τόσο ανά εκτάριο</translation>
-    </message>
-    <message>
-        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
-        <translation>Πολλές αξίες σε κίνδυνο, π.χ. people=villages.gpkg,weight=2</translation>
-    </message>
-    <message>
-        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
-        <translation>Πολλές αξίες σε κίνδυνο, καθεμία ως όνομα και αρχείο, και μετά, αν χρειάζεται, το πεδίο της, ένα βάρος (πόσο μετρά μια μονάδα στο άθροισμα για το οποίο γίνεται το σχέδιο) και as=density· πολλές χωρίζονται με ;, καθεμία δίνεται με το όνομά της.</translation>
-    </message>
-    <message>
         <source>Area of interest that is planned for</source>
         <translation>Περιοχή για την οποία γίνεται το σχέδιο</translation>
     </message>
@@ -894,162 +1102,6 @@
     <message>
         <source>Ground within this of a road is not cut: 50m.</source>
         <translation>Έδαφος σε τόση απόσταση από δρόμο δεν κόβεται: 50m.</translation>
-    </message>
-    <message>
-        <source>Conditions on features, such as barriers=highway = 'primary'</source>
-        <translation>Συνθήκες για στοιχεία, π.χ. barriers=highway = 'primary'</translation>
-    </message>
-    <message>
-        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
-        <translation>Παίρνει μόνο στοιχεία που πληρούν μια συνθήκη, με το όνομα του επιπέδου μπροστά, π.χ. barriers=highway = 'primary'· πολλές χωρίζονται με ;.</translation>
-    </message>
-    <message>
-        <source>Use of the ignition points</source>
-        <translation>Χρήση των σημείων έναρξης</translation>
-    </message>
-    <message>
-        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
-        <translation>Με σημεία ή πολύγωνα: οι εκτελέσεις τα παίρνουν με τη σειρά (ο σπόρος κληρώνει τη σειρά), αρχίζουν από όλα, ή αρχίζουν όπου τέτοιες πυρκαγιές του παρελθόντος είναι πυκνές.</translation>
-    </message>
-    <message>
-        <source>One for each fire, in turn</source>
-        <translation>Ένα για κάθε πυρκαγιά, με τη σειρά</translation>
-    </message>
-    <message>
-        <source>All at once in every fire</source>
-        <translation>Όλα μαζί σε κάθε πυρκαγιά</translation>
-    </message>
-    <message>
-        <source>More fires where they are dense</source>
-        <translation>Περισσότερες πυρκαγιές όπου είναι πυκνά</translation>
-    </message>
-    <message>
-        <source>Ignition points without fuel</source>
-        <translation>Σημεία έναρξης χωρίς καύσιμη ύλη</translation>
-    </message>
-    <message>
-        <source>What to do with points and polygons off the landscape or without fuel.</source>
-        <translation>Τι γίνεται με σημεία και πολύγωνα έξω από το τοπίο ή χωρίς καύσιμη ύλη.</translation>
-    </message>
-    <message>
-        <source>Leave them out</source>
-        <translation>Παραλείπονται</translation>
-    </message>
-    <message>
-        <source>Column with the hour of each ignition</source>
-        <translation>Στήλη με την ώρα κάθε έναρξης</translation>
-    </message>
-    <message>
-        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
-        <translation>Στήλη των σημείων έναρξης που λέει πότε ανάβει το καθένα, σε ώρες μετά την αρχή της εκτέλεσης.</translation>
-    </message>
-    <message>
-        <source>Embers</source>
-        <translation>Καύτρες</translation>
-    </message>
-    <message>
-        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
-        <translation>Καύτρες που πετούν μπροστά από τη φωτιά: on, ή αριθμοί όπως rate=12,longest=1000 αντί για τους υποτιθέμενους.</translation>
-    </message>
-    <message>
-        <source>When crews contain a fire, such as 6h</source>
-        <translation>Πότε τα συνεργεία περιορίζουν μια πυρκαγιά, π.χ. 6h</translation>
-    </message>
-    <message>
-        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
-        <translation>Πότε τα συνεργεία περιορίζουν κάθε πυρκαγιά: χρόνος ή κατανομή όπως στο "Πόσο διαρκούν οι πυρκαγιές", ή άμεση προσβολή σε τέτοιο χρόνο, που αποτυγχάνει αν η φωτιά είναι τότε πολύ μεγάλη ή σφοδρή: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha πάνω από αυτό) [αλλιώς ποτέ].</translation>
-    </message>
-    <message>
-        <source>How often a break holds, such as 0.47</source>
-        <translation>Πόσο συχνά κρατά μια ζώνη, π.χ. 0.47</translation>
-    </message>
-    <message>
-        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
-        <translation>Πόσο συχνά κρατά ένα κομμάτι ζώνης σε μια εκτέλεση: ποσοστό (0.47 στο πεδίο), flame (κατά το πλάτος και την ένταση της φωτιάς, Wilson 1988) ή flame:flames (1.5 μήκη φλόγας)· τα κομμάτια έχουν 400 m, ή όπως στο 0.47:800 [αλλιώς 0.47, μια παραδοχή].</translation>
-    </message>
-    <message>
-        <source>How often a barrier holds, such as 0.9</source>
-        <translation>Πόσο συχνά κρατά ένα εμπόδιο, π.χ. 0.9</translation>
-    </message>
-    <message>
-        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
-        <translation>Ποσοστό των εκτελέσεων όπου κρατά ένα κομμάτι των εμποδίων· κληρώνεται χωριστά από τις ζώνες.</translation>
-    </message>
-    <message>
-        <source>Stations of crews whom breaks wait for</source>
-        <translation>Σταθμοί των συνεργείων που περιμένουν οι ζώνες</translation>
-    </message>
-    <message>
-        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
-        <translation>Σημεία ή περιοχές από όπου ξεκινούν τα συνεργεία: ένα κομμάτι ζώνης κρατά μόνο απέναντι σε φωτιά που έρχεται μετά από αυτά [αλλιώς τα συνεργεία είναι παντού].</translation>
-    </message>
-    <message>
-        <source>Travel of crews, such as road=40,off=3,delay=10</source>
-        <translation>Μετακίνηση των συνεργείων, π.χ. road=40,off=3,delay=10</translation>
-    </message>
-    <message>
-        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
-        <translation>Πώς μετακινούνται: ταχύτητα σε δρόμους και εκτός δρόμων σε km/h, και λεπτά από την αρχή της φωτιάς ώσπου να ξεκινήσουν [αλλιώς road=40,off=3,delay=10, παραδοχές].</translation>
-    </message>
-    <message>
-        <source>Fires without an end by time</source>
-        <translation>Πυρκαγιές χωρίς χρονικό τέλος</translation>
-    </message>
-    <message>
-        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
-        <translation>Οι πυρκαγιές τελειώνουν μόνες τους και οι ζώνες κρατούν σε κάθε πυρκαγιά, αν το "Πόσο συχνά κρατά μια ζώνη" δεν λέει άλλο, όπως στη δημοσίευση.</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Σπόρος τυχαίων αριθμών</translation>
-    </message>
-    <message>
-        <source>Seed of all draws.</source>
-        <translation>Σπόρος όλων των κληρώσεων.</translation>
-    </message>
-    <message>
-        <source>Table of weather</source>
-        <translation>Πίνακας καιρού</translation>
-    </message>
-    <message>
-        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
-        <translation>Σύνολο καιρικών συνθηκών, από τις οποίες κάθε εκτέλεση κληρώνει μία: αρχείο CSV με wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time· ή ροδόγραμμα ανέμου όπως rose:NW=5x0.4,N=8x0.2.</translation>
-    </message>
-    <message>
-        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
-        <translation>ως ροδόγραμμα ανέμου: rose:NW=5x0.4,N=8x0.2</translation>
-    </message>
-    <message>
-        <source>Time of each line of the table of weather, such as 1h</source>
-        <translation>Διάρκεια κάθε γραμμής του πίνακα καιρού, π.χ. 1h</translation>
-    </message>
-    <message>
-        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
-        <translation>Οι γραμμές του καιρού ακολουθούν η μία την άλλη, και καθεμία διαρκεί τόσο, π.χ. 1h.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather, such as wind_speed=FF</source>
-        <translation>Στήλες του πίνακα καιρού, π.χ. wind_speed=FF</translation>
-    </message>
-    <message>
-        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
-        <translation>Όνομα μιας στήλης του καιρού, π.χ. wind_speed=FF· πολλά χωρίζονται με ;.</translation>
-    </message>
-    <message>
-        <source>Units of the table of weather, such as wind_speed=kn</source>
-        <translation>Μονάδες του πίνακα καιρού, π.χ. wind_speed=kn</translation>
-    </message>
-    <message>
-        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
-        <translation>Μονάδα μιας στήλης του καιρού που δεν τη λέει, π.χ. wind_speed=kn· πολλές χωρίζονται με ;.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather to leave out</source>
-        <translation>Στήλες του πίνακα καιρού που παραλείπονται</translation>
-    </message>
-    <message>
-        <source>Columns of the weather to leave out, separated by commas.</source>
-        <translation>Στήλες του καιρού που παραλείπονται, χωρισμένες με κόμματα.</translation>
     </message>
     <message>
         <source>Fire breaks</source>
@@ -1190,10 +1242,6 @@
     <message>
         <source>Length in kilometres</source>
         <translation>Μήκος σε χιλιόμετρα</translation>
-    </message>
-    <message>
-        <source>Compartments</source>
-        <translation>Διαμερίσματα</translation>
     </message>
     <message>
         <source>Cells that are cut: 1, all others 0.</source>

@@ -464,6 +464,278 @@
         <translation>Lo que vale una línea, o un alcance, p. ej. ridge=0.8, valley=0 o reach=60; varios se separan con ;.</translation>
     </message>
     <message>
+        <source>Compartments bounded by control lines</source>
+        <translation>Compartimentos delimitados por líneas de control</translation>
+    </message>
+    <message>
+        <source>Divide the landscape into compartments of about one size, bounded by the lines that are easiest to hold: potential operational delineations (PODs), on which crews agree before a fire.</source>
+        <translation>Dividir el paisaje en compartimentos de tamaño parecido, delimitados por las líneas más fáciles de defender: delimitaciones operativas potenciales (PODs), que los equipos acuerdan antes de un incendio.</translation>
+    </message>
+    <message>
+        <source>Each compartment has its fuel, ignitions, values, what burns in simulated fires, and how good its border is. The second layer of the file holds the borders.</source>
+        <translation>Cada compartimento tiene su combustible, sus igniciones y valores, lo que arde en incendios simulados y la calidad de su límite. La segunda capa del archivo contiene los límites.</translation>
+    </message>
+    <message>
+        <source>Compartments</source>
+        <translation>Compartimentos</translation>
+    </message>
+    <message>
+        <source>Borders in kilometres</source>
+        <translation>Límites en kilómetros</translation>
+    </message>
+    <message>
+        <source>Mean suitability of the borders</source>
+        <translation>Aptitud media de los límites</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, such as 500ha</source>
+        <translation>Tamaño de los compartimentos, p. ej. 500ha</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, hectares of fuel; none is larger than one and a half times this.</source>
+        <translation>Tamaño de los compartimentos, en hectáreas de combustible; ninguno supera una vez y media este valor.</translation>
+    </message>
+    <message>
+        <source>Values at risk</source>
+        <translation>Valores en riesgo</translation>
+    </message>
+    <message>
+        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
+        <translation>Valores en riesgo: un ráster, o polígonos o puntos con "Campo con el valor" [si no, 1 sobre combustible].</translation>
+    </message>
+    <message>
+        <source>How long fires burn, such as 8h</source>
+        <translation>Cuánto duran los incendios, p. ej. 8h</translation>
+    </message>
+    <message>
+        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
+        <translation>Cuánto duran los incendios: 8h, una lista que las ejecuciones toman por turno (4h,8h), lognormal:8h,0.7 (mediana y sigma), uniform:2h,12h, o weather [si no, lognormal:8h,0.7, un supuesto].</translation>
+    </message>
+    <message>
+        <source>Ignition points</source>
+        <translation>Puntos de ignición</translation>
+    </message>
+    <message>
+        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
+        <translation>Puntos, polígonos (perímetros que ya arden; cualquier archivo vectorial, o CSV con x e y) o un ráster de probabilidad de ignición [si no, una celda al azar con combustible por ejecución].</translation>
+    </message>
+    <message>
+        <source>Number of fires</source>
+        <translation>Número de incendios</translation>
+    </message>
+    <message>
+        <source>Simulated fires.</source>
+        <translation>Incendios simulados.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <source>Seed of all draws.</source>
+        <translation>Semilla de todos los sorteos.</translation>
+    </message>
+    <message>
+        <source>How much more the worst ground counts than the best</source>
+        <translation>Cuánto más cuenta el peor terreno que el mejor</translation>
+    </message>
+    <message>
+        <source>Number of times that the worst ground counts as much as the best, 1 to 100; 1 asks for the shortest borders.</source>
+        <translation>Número de veces que el peor terreno cuenta lo que el mejor, de 1 a 100; con 1 se piden los límites más cortos.</translation>
+    </message>
+    <message>
+        <source>Field with the value</source>
+        <translation>Campo con el valor</translation>
+    </message>
+    <message>
+        <source>Column of the value polygons or points [default: 1 for each].</source>
+        <translation>Columna de los polígonos o puntos de valor [si no, 1 para cada uno].</translation>
+    </message>
+    <message>
+        <source>Values are</source>
+        <translation>Los valores son</translation>
+    </message>
+    <message>
+        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
+        <translation>Qué son los números de "Valores en riesgo": tanto en cada celda del ráster, polígono o punto (personas), cuya suma se conserva; o tanto por hectárea.</translation>
+    </message>
+    <message>
+        <source>So much in each cell, polygon or point</source>
+        <translation>Tanto en cada celda, polígono o punto</translation>
+    </message>
+    <message>
+        <source>So much a hectare</source>
+        <translation>Tanto por hectárea</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Varios valores en riesgo, p. ej. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Varios valores en riesgo, cada uno como nombre y archivo, seguido si hace falta de su campo, un peso (lo que cuenta una unidad en la suma para la que se planifica) y as=density; varios se separan con ;, cada uno se da por su nombre.</translation>
+    </message>
+    <message>
+        <source>Conditions on features, such as barriers=highway = 'primary'</source>
+        <translation>Condiciones sobre objetos, p. ej. barriers=highway = 'primary'</translation>
+    </message>
+    <message>
+        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
+        <translation>Toma solo los objetos que cumplen una condición, con el nombre de la capa delante, p. ej. barriers=highway = 'primary'; varias se separan con ;.</translation>
+    </message>
+    <message>
+        <source>Use of the ignition points</source>
+        <translation>Uso de los puntos de ignición</translation>
+    </message>
+    <message>
+        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
+        <translation>Con puntos o polígonos: las ejecuciones los toman por turno (la semilla sortea el orden), empiezan en todos, o empiezan donde tales incendios del pasado son densos.</translation>
+    </message>
+    <message>
+        <source>One for each fire, in turn</source>
+        <translation>Uno por incendio, por turno</translation>
+    </message>
+    <message>
+        <source>All at once in every fire</source>
+        <translation>Todos a la vez en cada incendio</translation>
+    </message>
+    <message>
+        <source>More fires where they are dense</source>
+        <translation>Más incendios donde son densos</translation>
+    </message>
+    <message>
+        <source>Ignition points without fuel</source>
+        <translation>Puntos de ignición sin combustible</translation>
+    </message>
+    <message>
+        <source>What to do with points and polygons off the landscape or without fuel.</source>
+        <translation>Qué hacer con puntos y polígonos fuera del paisaje o sin combustible.</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Dejarlos fuera</translation>
+    </message>
+    <message>
+        <source>Column with the hour of each ignition</source>
+        <translation>Columna con la hora de cada ignición</translation>
+    </message>
+    <message>
+        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
+        <translation>Columna de las igniciones que dice cuándo se enciende cada una, en horas desde el comienzo de la ejecución.</translation>
+    </message>
+    <message>
+        <source>Embers</source>
+        <translation>Pavesas</translation>
+    </message>
+    <message>
+        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
+        <translation>Pavesas que vuelan por delante del fuego: on, o números como rate=12,longest=1000 en lugar de los supuestos.</translation>
+    </message>
+    <message>
+        <source>When crews contain a fire, such as 6h</source>
+        <translation>Cuándo los medios contienen un incendio, p. ej. 6h</translation>
+    </message>
+    <message>
+        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
+        <translation>Cuándo los medios contienen cada incendio: un tiempo o una distribución como en "Cuánto duran los incendios", o un ataque directo en tal momento, que fracasa si el fuego es ya demasiado grande o intenso: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha por encima) [si no, nunca].</translation>
+    </message>
+    <message>
+        <source>How often a break holds, such as 0.47</source>
+        <translation>Con qué frecuencia aguanta un cortafuegos, p. ej. 0.47</translation>
+    </message>
+    <message>
+        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
+        <translation>Con qué frecuencia aguanta un trozo de cortafuegos en una ejecución: una proporción (0.47 en el campo), flame (por anchura e intensidad del fuego, Wilson 1988) o flame:flames (1.5 longitudes de llama); los trozos tienen 400 m, o como en 0.47:800 [si no, 0.47, un supuesto].</translation>
+    </message>
+    <message>
+        <source>How often a barrier holds, such as 0.9</source>
+        <translation>Con qué frecuencia aguanta una barrera, p. ej. 0.9</translation>
+    </message>
+    <message>
+        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
+        <translation>Proporción de ejecuciones en que aguanta un trozo de las barreras; se sortea aparte de los cortafuegos.</translation>
+    </message>
+    <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Bases de los medios a los que esperan los cortafuegos</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Puntos o áreas de donde salen los medios: un trozo de cortafuegos solo aguanta ante el fuego que llega después de ellos [si no, hay medios en todas partes].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Desplazamiento de los medios, p. ej. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Cómo se desplazan: velocidad por carretera y fuera de ella en km/h, y minutos desde el comienzo del incendio hasta que salen [si no, road=40,off=3,delay=10, supuestos].</translation>
+    </message>
+    <message>
+        <source>Fires without an end by time</source>
+        <translation>Incendios sin final por tiempo</translation>
+    </message>
+    <message>
+        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
+        <translation>Los incendios acaban por sí mismos y los cortafuegos aguantan en todos, si "Con qué frecuencia aguanta un cortafuegos" no dice otra cosa, como en el artículo.</translation>
+    </message>
+    <message>
+        <source>Table of weather</source>
+        <translation>Tabla meteorológica</translation>
+    </message>
+    <message>
+        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
+        <translation>Conjunto de situaciones meteorológicas, de las que cada ejecución saca una: un archivo CSV con wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; o una rosa de los vientos como rose:NW=5x0.4,N=8x0.2.</translation>
+    </message>
+    <message>
+        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
+        <translation>como rosa de los vientos: rose:NW=5x0.4,N=8x0.2</translation>
+    </message>
+    <message>
+        <source>Time of each line of the table of weather, such as 1h</source>
+        <translation>Duración de cada línea de la tabla meteorológica, p. ej. 1h</translation>
+    </message>
+    <message>
+        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
+        <translation>Las líneas de la meteorología se suceden, y cada una dura esto, p. ej. 1h.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather, such as wind_speed=FF</source>
+        <translation>Columnas de la tabla meteorológica, p. ej. wind_speed=FF</translation>
+    </message>
+    <message>
+        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
+        <translation>Nombre de una columna de la meteorología, p. ej. wind_speed=FF; varios se separan con ;.</translation>
+    </message>
+    <message>
+        <source>Units of the table of weather, such as wind_speed=kn</source>
+        <translation>Unidades de la tabla meteorológica, p. ej. wind_speed=kn</translation>
+    </message>
+    <message>
+        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
+        <translation>Unidad de una columna de la meteorología que no la dice, p. ej. wind_speed=kn; varias se separan con ;.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather to leave out</source>
+        <translation>Columnas de la tabla meteorológica que se dejan fuera</translation>
+    </message>
+    <message>
+        <source>Columns of the weather to leave out, separated by commas.</source>
+        <translation>Columnas de la meteorología que se dejan fuera, separadas por comas.</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, and their borders</source>
+        <translation>Compartimentos delimitados por líneas de control, y sus límites</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, without outlines</source>
+        <translation>Compartimentos delimitados por líneas de control, sin contornos</translation>
+    </message>
+    <message>
+        <source>Borders of the compartments, without lines</source>
+        <translation>Límites de los compartimentos, sin líneas</translation>
+    </message>
+    <message>
         <source>Plan fire breaks</source>
         <translation>Planificar cortafuegos</translation>
     </message>
@@ -488,14 +760,6 @@
         <translation>Proporción quemada media con los cortafuegos</translation>
     </message>
     <message>
-        <source>Values at risk</source>
-        <translation>Valores en riesgo</translation>
-    </message>
-    <message>
-        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
-        <translation>Valores en riesgo: un ráster, o polígonos o puntos con "Campo con el valor" [si no, 1 sobre combustible].</translation>
-    </message>
-    <message>
         <source>Area where nothing may be cut</source>
         <translation>Zona donde no se puede cortar</translation>
     </message>
@@ -510,14 +774,6 @@
     <message>
         <source>Existing breaks, roads, rivers (raster, lines or polygons): all cells that they cut hold no fuel and cost nothing.</source>
         <translation>Cortafuegos, carreteras y ríos existentes (ráster, líneas o polígonos): las celdas que atraviesan no tienen combustible y no cuestan nada.</translation>
-    </message>
-    <message>
-        <source>How long fires burn, such as 8h</source>
-        <translation>Cuánto duran los incendios, p. ej. 8h</translation>
-    </message>
-    <message>
-        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
-        <translation>Cuánto duran los incendios: 8h, una lista que las ejecuciones toman por turno (4h,8h), lognormal:8h,0.7 (mediana y sigma), uniform:2h,12h, o weather [si no, lognormal:8h,0.7, un supuesto].</translation>
     </message>
     <message>
         <source>Budget, such as 10%, 5ha or 20000eur</source>
@@ -618,22 +874,6 @@
     <message>
         <source>Stripes: parallel bands across a direction, the plainest pattern of practice</source>
         <translation>Franjas: fajas paralelas a través de una dirección, el patrón más sencillo de la práctica</translation>
-    </message>
-    <message>
-        <source>Ignition points</source>
-        <translation>Puntos de ignición</translation>
-    </message>
-    <message>
-        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
-        <translation>Puntos, polígonos (perímetros que ya arden; cualquier archivo vectorial, o CSV con x e y) o un ráster de probabilidad de ignición [si no, una celda al azar con combustible por ejecución].</translation>
-    </message>
-    <message>
-        <source>Number of fires</source>
-        <translation>Número de incendios</translation>
-    </message>
-    <message>
-        <source>Simulated fires.</source>
-        <translation>Incendios simulados.</translation>
     </message>
     <message>
         <source>Unit of a budget that is a plain number</source>
@@ -824,38 +1064,6 @@
         <translation>Celdas cuyo centro está en la zona</translation>
     </message>
     <message>
-        <source>Field with the value</source>
-        <translation>Campo con el valor</translation>
-    </message>
-    <message>
-        <source>Column of the value polygons or points [default: 1 for each].</source>
-        <translation>Columna de los polígonos o puntos de valor [si no, 1 para cada uno].</translation>
-    </message>
-    <message>
-        <source>Values are</source>
-        <translation>Los valores son</translation>
-    </message>
-    <message>
-        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
-        <translation>Qué son los números de "Valores en riesgo": tanto en cada celda del ráster, polígono o punto (personas), cuya suma se conserva; o tanto por hectárea.</translation>
-    </message>
-    <message>
-        <source>So much in each cell, polygon or point</source>
-        <translation>Tanto en cada celda, polígono o punto</translation>
-    </message>
-    <message>
-        <source>So much a hectare</source>
-        <translation>Tanto por hectárea</translation>
-    </message>
-    <message>
-        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
-        <translation>Varios valores en riesgo, p. ej. people=villages.gpkg,weight=2</translation>
-    </message>
-    <message>
-        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
-        <translation>Varios valores en riesgo, cada uno como nombre y archivo, seguido si hace falta de su campo, un peso (lo que cuenta una unidad en la suma para la que se planifica) y as=density; varios se separan con ;, cada uno se da por su nombre.</translation>
-    </message>
-    <message>
         <source>Area of interest that is planned for</source>
         <translation>Área de interés para la que se planifica</translation>
     </message>
@@ -894,162 +1102,6 @@
     <message>
         <source>Ground within this of a road is not cut: 50m.</source>
         <translation>El terreno a esta distancia de una carretera no se corta: 50m.</translation>
-    </message>
-    <message>
-        <source>Conditions on features, such as barriers=highway = 'primary'</source>
-        <translation>Condiciones sobre objetos, p. ej. barriers=highway = 'primary'</translation>
-    </message>
-    <message>
-        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
-        <translation>Toma solo los objetos que cumplen una condición, con el nombre de la capa delante, p. ej. barriers=highway = 'primary'; varias se separan con ;.</translation>
-    </message>
-    <message>
-        <source>Use of the ignition points</source>
-        <translation>Uso de los puntos de ignición</translation>
-    </message>
-    <message>
-        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
-        <translation>Con puntos o polígonos: las ejecuciones los toman por turno (la semilla sortea el orden), empiezan en todos, o empiezan donde tales incendios del pasado son densos.</translation>
-    </message>
-    <message>
-        <source>One for each fire, in turn</source>
-        <translation>Uno por incendio, por turno</translation>
-    </message>
-    <message>
-        <source>All at once in every fire</source>
-        <translation>Todos a la vez en cada incendio</translation>
-    </message>
-    <message>
-        <source>More fires where they are dense</source>
-        <translation>Más incendios donde son densos</translation>
-    </message>
-    <message>
-        <source>Ignition points without fuel</source>
-        <translation>Puntos de ignición sin combustible</translation>
-    </message>
-    <message>
-        <source>What to do with points and polygons off the landscape or without fuel.</source>
-        <translation>Qué hacer con puntos y polígonos fuera del paisaje o sin combustible.</translation>
-    </message>
-    <message>
-        <source>Leave them out</source>
-        <translation>Dejarlos fuera</translation>
-    </message>
-    <message>
-        <source>Column with the hour of each ignition</source>
-        <translation>Columna con la hora de cada ignición</translation>
-    </message>
-    <message>
-        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
-        <translation>Columna de las igniciones que dice cuándo se enciende cada una, en horas desde el comienzo de la ejecución.</translation>
-    </message>
-    <message>
-        <source>Embers</source>
-        <translation>Pavesas</translation>
-    </message>
-    <message>
-        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
-        <translation>Pavesas que vuelan por delante del fuego: on, o números como rate=12,longest=1000 en lugar de los supuestos.</translation>
-    </message>
-    <message>
-        <source>When crews contain a fire, such as 6h</source>
-        <translation>Cuándo los medios contienen un incendio, p. ej. 6h</translation>
-    </message>
-    <message>
-        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
-        <translation>Cuándo los medios contienen cada incendio: un tiempo o una distribución como en "Cuánto duran los incendios", o un ataque directo en tal momento, que fracasa si el fuego es ya demasiado grande o intenso: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha por encima) [si no, nunca].</translation>
-    </message>
-    <message>
-        <source>How often a break holds, such as 0.47</source>
-        <translation>Con qué frecuencia aguanta un cortafuegos, p. ej. 0.47</translation>
-    </message>
-    <message>
-        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
-        <translation>Con qué frecuencia aguanta un trozo de cortafuegos en una ejecución: una proporción (0.47 en el campo), flame (por anchura e intensidad del fuego, Wilson 1988) o flame:flames (1.5 longitudes de llama); los trozos tienen 400 m, o como en 0.47:800 [si no, 0.47, un supuesto].</translation>
-    </message>
-    <message>
-        <source>How often a barrier holds, such as 0.9</source>
-        <translation>Con qué frecuencia aguanta una barrera, p. ej. 0.9</translation>
-    </message>
-    <message>
-        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
-        <translation>Proporción de ejecuciones en que aguanta un trozo de las barreras; se sortea aparte de los cortafuegos.</translation>
-    </message>
-    <message>
-        <source>Stations of crews whom breaks wait for</source>
-        <translation>Bases de los medios a los que esperan los cortafuegos</translation>
-    </message>
-    <message>
-        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
-        <translation>Puntos o áreas de donde salen los medios: un trozo de cortafuegos solo aguanta ante el fuego que llega después de ellos [si no, hay medios en todas partes].</translation>
-    </message>
-    <message>
-        <source>Travel of crews, such as road=40,off=3,delay=10</source>
-        <translation>Desplazamiento de los medios, p. ej. road=40,off=3,delay=10</translation>
-    </message>
-    <message>
-        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
-        <translation>Cómo se desplazan: velocidad por carretera y fuera de ella en km/h, y minutos desde el comienzo del incendio hasta que salen [si no, road=40,off=3,delay=10, supuestos].</translation>
-    </message>
-    <message>
-        <source>Fires without an end by time</source>
-        <translation>Incendios sin final por tiempo</translation>
-    </message>
-    <message>
-        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
-        <translation>Los incendios acaban por sí mismos y los cortafuegos aguantan en todos, si "Con qué frecuencia aguanta un cortafuegos" no dice otra cosa, como en el artículo.</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Semilla</translation>
-    </message>
-    <message>
-        <source>Seed of all draws.</source>
-        <translation>Semilla de todos los sorteos.</translation>
-    </message>
-    <message>
-        <source>Table of weather</source>
-        <translation>Tabla meteorológica</translation>
-    </message>
-    <message>
-        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
-        <translation>Conjunto de situaciones meteorológicas, de las que cada ejecución saca una: un archivo CSV con wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; o una rosa de los vientos como rose:NW=5x0.4,N=8x0.2.</translation>
-    </message>
-    <message>
-        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
-        <translation>como rosa de los vientos: rose:NW=5x0.4,N=8x0.2</translation>
-    </message>
-    <message>
-        <source>Time of each line of the table of weather, such as 1h</source>
-        <translation>Duración de cada línea de la tabla meteorológica, p. ej. 1h</translation>
-    </message>
-    <message>
-        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
-        <translation>Las líneas de la meteorología se suceden, y cada una dura esto, p. ej. 1h.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather, such as wind_speed=FF</source>
-        <translation>Columnas de la tabla meteorológica, p. ej. wind_speed=FF</translation>
-    </message>
-    <message>
-        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
-        <translation>Nombre de una columna de la meteorología, p. ej. wind_speed=FF; varios se separan con ;.</translation>
-    </message>
-    <message>
-        <source>Units of the table of weather, such as wind_speed=kn</source>
-        <translation>Unidades de la tabla meteorológica, p. ej. wind_speed=kn</translation>
-    </message>
-    <message>
-        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
-        <translation>Unidad de una columna de la meteorología que no la dice, p. ej. wind_speed=kn; varias se separan con ;.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather to leave out</source>
-        <translation>Columnas de la tabla meteorológica que se dejan fuera</translation>
-    </message>
-    <message>
-        <source>Columns of the weather to leave out, separated by commas.</source>
-        <translation>Columnas de la meteorología que se dejan fuera, separadas por comas.</translation>
     </message>
     <message>
         <source>Fire breaks</source>
@@ -1190,10 +1242,6 @@
     <message>
         <source>Length in kilometres</source>
         <translation>Longitud en kilómetros</translation>
-    </message>
-    <message>
-        <source>Compartments</source>
-        <translation>Compartimentos</translation>
     </message>
     <message>
         <source>Cells that are cut: 1, all others 0.</source>

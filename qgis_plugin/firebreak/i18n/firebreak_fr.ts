@@ -464,6 +464,278 @@
         <translation>Ce que vaut une ligne, ou une portée, p. ex. ridge=0.8, valley=0 ou reach=60 ; plusieurs sont séparés par ;.</translation>
     </message>
     <message>
+        <source>Compartments bounded by control lines</source>
+        <translation>Compartiments bordés de lignes de contrôle</translation>
+    </message>
+    <message>
+        <source>Divide the landscape into compartments of about one size, bounded by the lines that are easiest to hold: potential operational delineations (PODs), on which crews agree before a fire.</source>
+        <translation>Diviser le paysage en compartiments de taille semblable, bordés par les lignes les plus faciles à tenir : délimitations opérationnelles potentielles (PODs), dont les équipes conviennent avant un feu.</translation>
+    </message>
+    <message>
+        <source>Each compartment has its fuel, ignitions, values, what burns in simulated fires, and how good its border is. The second layer of the file holds the borders.</source>
+        <translation>Chaque compartiment a son combustible, ses départs de feu et ses enjeux, ce qui brûle dans des feux simulés et la qualité de sa limite. La seconde couche du fichier contient les limites.</translation>
+    </message>
+    <message>
+        <source>Compartments</source>
+        <translation>Compartiments</translation>
+    </message>
+    <message>
+        <source>Borders in kilometres</source>
+        <translation>Limites en kilomètres</translation>
+    </message>
+    <message>
+        <source>Mean suitability of the borders</source>
+        <translation>Aptitude moyenne des limites</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, such as 500ha</source>
+        <translation>Taille des compartiments, p. ex. 500ha</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, hectares of fuel; none is larger than one and a half times this.</source>
+        <translation>Taille des compartiments, en hectares de combustible ; aucun ne dépasse une fois et demie cette valeur.</translation>
+    </message>
+    <message>
+        <source>Values at risk</source>
+        <translation>Enjeux exposés</translation>
+    </message>
+    <message>
+        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
+        <translation>Enjeux exposés : un raster, ou des polygones ou points avec "Champ avec la valeur" [sinon 1 sur le combustible].</translation>
+    </message>
+    <message>
+        <source>How long fires burn, such as 8h</source>
+        <translation>Combien de temps les feux brûlent, p. ex. 8h</translation>
+    </message>
+    <message>
+        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
+        <translation>Combien de temps les feux brûlent : 8h, une liste que les passages prennent tour à tour (4h,8h), lognormal:8h,0.7 (médiane et sigma), uniform:2h,12h, ou weather [sinon lognormal:8h,0.7, une hypothèse].</translation>
+    </message>
+    <message>
+        <source>Ignition points</source>
+        <translation>Points d'éclosion</translation>
+    </message>
+    <message>
+        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
+        <translation>Points, polygones (périmètres qui brûlent déjà ; tout fichier vecteur, ou CSV avec x et y) ou un raster de la probabilité d'éclosion [sinon une cellule au hasard avec combustible par passage].</translation>
+    </message>
+    <message>
+        <source>Number of fires</source>
+        <translation>Nombre de feux</translation>
+    </message>
+    <message>
+        <source>Simulated fires.</source>
+        <translation>Feux simulés.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine aléatoire</translation>
+    </message>
+    <message>
+        <source>Seed of all draws.</source>
+        <translation>Graine de tous les tirages.</translation>
+    </message>
+    <message>
+        <source>How much more the worst ground counts than the best</source>
+        <translation>Combien le pire terrain compte de plus que le meilleur</translation>
+    </message>
+    <message>
+        <source>Number of times that the worst ground counts as much as the best, 1 to 100; 1 asks for the shortest borders.</source>
+        <translation>Nombre de fois que le pire terrain compte autant que le meilleur, de 1 à 100 ; 1 demande les limites les plus courtes.</translation>
+    </message>
+    <message>
+        <source>Field with the value</source>
+        <translation>Champ avec la valeur</translation>
+    </message>
+    <message>
+        <source>Column of the value polygons or points [default: 1 for each].</source>
+        <translation>Colonne des polygones ou points de valeur [sinon 1 pour chacun].</translation>
+    </message>
+    <message>
+        <source>Values are</source>
+        <translation>Les valeurs sont</translation>
+    </message>
+    <message>
+        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
+        <translation>Ce que sont les nombres de "Enjeux exposés" : tant dans chaque cellule du raster, polygone ou point (personnes), dont la somme est gardée ; ou tant par hectare.</translation>
+    </message>
+    <message>
+        <source>So much in each cell, polygon or point</source>
+        <translation>Tant par cellule, polygone ou point</translation>
+    </message>
+    <message>
+        <source>So much a hectare</source>
+        <translation>Tant par hectare</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Plusieurs enjeux exposés, p. ex. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Plusieurs enjeux, chacun comme nom et fichier, suivi au besoin de son champ, d'un poids (ce que compte une unité dans la somme pour laquelle on planifie) et de as=density ; plusieurs se séparent par ;, chacun est donné par son nom.</translation>
+    </message>
+    <message>
+        <source>Conditions on features, such as barriers=highway = 'primary'</source>
+        <translation>Conditions sur les entités, p. ex. barriers=highway = 'primary'</translation>
+    </message>
+    <message>
+        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
+        <translation>Ne prend que les entités qui remplissent une condition, le nom de la couche devant, p. ex. barriers=highway = 'primary' ; plusieurs se séparent par ;.</translation>
+    </message>
+    <message>
+        <source>Use of the ignition points</source>
+        <translation>Emploi des points d'éclosion</translation>
+    </message>
+    <message>
+        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
+        <translation>Avec des points ou polygones : les passages les prennent tour à tour (la graine tire l'ordre), partent de tous, ou partent où de tels feux du passé sont denses.</translation>
+    </message>
+    <message>
+        <source>One for each fire, in turn</source>
+        <translation>Un par feu, tour à tour</translation>
+    </message>
+    <message>
+        <source>All at once in every fire</source>
+        <translation>Tous à la fois dans chaque feu</translation>
+    </message>
+    <message>
+        <source>More fires where they are dense</source>
+        <translation>Plus de feux où ils sont denses</translation>
+    </message>
+    <message>
+        <source>Ignition points without fuel</source>
+        <translation>Points d'éclosion sans combustible</translation>
+    </message>
+    <message>
+        <source>What to do with points and polygons off the landscape or without fuel.</source>
+        <translation>Que faire des points et polygones hors du paysage ou sans combustible.</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Les laisser de côté</translation>
+    </message>
+    <message>
+        <source>Column with the hour of each ignition</source>
+        <translation>Colonne avec l'heure de chaque éclosion</translation>
+    </message>
+    <message>
+        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
+        <translation>Colonne des éclosions qui dit quand chacune s'allume, en heures après le début du passage.</translation>
+    </message>
+    <message>
+        <source>Embers</source>
+        <translation>Brandons</translation>
+    </message>
+    <message>
+        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
+        <translation>Brandons qui volent devant le feu : on, ou des nombres comme rate=12,longest=1000 à la place de ceux supposés.</translation>
+    </message>
+    <message>
+        <source>When crews contain a fire, such as 6h</source>
+        <translation>Quand les secours contiennent un feu, p. ex. 6h</translation>
+    </message>
+    <message>
+        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
+        <translation>Quand les secours contiennent chaque feu : un temps ou une distribution comme pour "Combien de temps les feux brûlent", ou une attaque directe à ce moment, qui échoue si le feu est alors trop grand ou trop intense : attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha au-dessus) [sinon jamais].</translation>
+    </message>
+    <message>
+        <source>How often a break holds, such as 0.47</source>
+        <translation>Combien de fois un pare-feu tient, p. ex. 0.47</translation>
+    </message>
+    <message>
+        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
+        <translation>Combien de fois un morceau de pare-feu tient dans un passage : une part (0.47 sur le terrain), flame (selon la largeur et l'intensité du feu, Wilson 1988) ou flame:flames (1.5 longueurs de flamme) ; les morceaux ont 400 m, ou comme dans 0.47:800 [sinon 0.47, une hypothèse].</translation>
+    </message>
+    <message>
+        <source>How often a barrier holds, such as 0.9</source>
+        <translation>Combien de fois une barrière tient, p. ex. 0.9</translation>
+    </message>
+    <message>
+        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
+        <translation>Part des passages où un morceau des barrières tient ; tirée à part des pare-feu.</translation>
+    </message>
+    <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Bases des secours que les pare-feu attendent</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Points ou zones d'où partent les secours : un morceau de pare-feu ne tient que contre le feu qui arrive après eux [sinon les secours sont partout].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Trajet des secours, p. ex. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Comment ils se déplacent : vitesse sur route et hors route en km/h, et minutes du début du feu à leur départ [sinon road=40,off=3,delay=10, des hypothèses].</translation>
+    </message>
+    <message>
+        <source>Fires without an end by time</source>
+        <translation>Feux sans fin par la durée</translation>
+    </message>
+    <message>
+        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
+        <translation>Les feux finissent d'eux-mêmes et les pare-feu tiennent dans chaque feu, si "Combien de fois un pare-feu tient" ne dit rien d'autre, comme dans l'article.</translation>
+    </message>
+    <message>
+        <source>Table of weather</source>
+        <translation>Tableau météo</translation>
+    </message>
+    <message>
+        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
+        <translation>Ensemble de situations météo, dont chaque passage tire une : un fichier CSV avec wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time ; ou une rose des vents comme rose:NW=5x0.4,N=8x0.2.</translation>
+    </message>
+    <message>
+        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
+        <translation>comme rose des vents : rose:NW=5x0.4,N=8x0.2</translation>
+    </message>
+    <message>
+        <source>Time of each line of the table of weather, such as 1h</source>
+        <translation>Durée de chaque ligne du tableau météo, p. ex. 1h</translation>
+    </message>
+    <message>
+        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
+        <translation>Les lignes de la météo se suivent, et chacune dure autant, p. ex. 1h.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather, such as wind_speed=FF</source>
+        <translation>Colonnes du tableau météo, p. ex. wind_speed=FF</translation>
+    </message>
+    <message>
+        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
+        <translation>Nom d'une colonne de la météo, p. ex. wind_speed=FF ; plusieurs se séparent par ;.</translation>
+    </message>
+    <message>
+        <source>Units of the table of weather, such as wind_speed=kn</source>
+        <translation>Unités du tableau météo, p. ex. wind_speed=kn</translation>
+    </message>
+    <message>
+        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
+        <translation>Unité d'une colonne de la météo qui ne la dit pas, p. ex. wind_speed=kn ; plusieurs se séparent par ;.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather to leave out</source>
+        <translation>Colonnes du tableau météo à laisser de côté</translation>
+    </message>
+    <message>
+        <source>Columns of the weather to leave out, separated by commas.</source>
+        <translation>Colonnes de la météo à laisser de côté, séparées par des virgules.</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, and their borders</source>
+        <translation>Compartiments bordés de lignes de contrôle, et leurs limites</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, without outlines</source>
+        <translation>Compartiments bordés de lignes de contrôle, sans contours</translation>
+    </message>
+    <message>
+        <source>Borders of the compartments, without lines</source>
+        <translation>Limites des compartiments, sans lignes</translation>
+    </message>
+    <message>
         <source>Plan fire breaks</source>
         <translation>Planifier des pare-feu</translation>
     </message>
@@ -488,14 +760,6 @@
         <translation>Part brûlée moyenne avec les pare-feu</translation>
     </message>
     <message>
-        <source>Values at risk</source>
-        <translation>Enjeux exposés</translation>
-    </message>
-    <message>
-        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
-        <translation>Enjeux exposés : un raster, ou des polygones ou points avec "Champ avec la valeur" [sinon 1 sur le combustible].</translation>
-    </message>
-    <message>
         <source>Area where nothing may be cut</source>
         <translation>Zone où rien ne peut être coupé</translation>
     </message>
@@ -510,14 +774,6 @@
     <message>
         <source>Existing breaks, roads, rivers (raster, lines or polygons): all cells that they cut hold no fuel and cost nothing.</source>
         <translation>Pare-feu, routes, rivières existants (raster, lignes ou polygones) : toutes les cellules qu'ils coupent n'ont pas de combustible et ne coûtent rien.</translation>
-    </message>
-    <message>
-        <source>How long fires burn, such as 8h</source>
-        <translation>Combien de temps les feux brûlent, p. ex. 8h</translation>
-    </message>
-    <message>
-        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
-        <translation>Combien de temps les feux brûlent : 8h, une liste que les passages prennent tour à tour (4h,8h), lognormal:8h,0.7 (médiane et sigma), uniform:2h,12h, ou weather [sinon lognormal:8h,0.7, une hypothèse].</translation>
     </message>
     <message>
         <source>Budget, such as 10%, 5ha or 20000eur</source>
@@ -618,22 +874,6 @@
     <message>
         <source>Stripes: parallel bands across a direction, the plainest pattern of practice</source>
         <translation>Bandes : bandes parallèles en travers d'une direction, le motif le plus simple de la pratique</translation>
-    </message>
-    <message>
-        <source>Ignition points</source>
-        <translation>Points d'éclosion</translation>
-    </message>
-    <message>
-        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
-        <translation>Points, polygones (périmètres qui brûlent déjà ; tout fichier vecteur, ou CSV avec x et y) ou un raster de la probabilité d'éclosion [sinon une cellule au hasard avec combustible par passage].</translation>
-    </message>
-    <message>
-        <source>Number of fires</source>
-        <translation>Nombre de feux</translation>
-    </message>
-    <message>
-        <source>Simulated fires.</source>
-        <translation>Feux simulés.</translation>
     </message>
     <message>
         <source>Unit of a budget that is a plain number</source>
@@ -824,38 +1064,6 @@
         <translation>Cellules dont le centre est dans la zone</translation>
     </message>
     <message>
-        <source>Field with the value</source>
-        <translation>Champ avec la valeur</translation>
-    </message>
-    <message>
-        <source>Column of the value polygons or points [default: 1 for each].</source>
-        <translation>Colonne des polygones ou points de valeur [sinon 1 pour chacun].</translation>
-    </message>
-    <message>
-        <source>Values are</source>
-        <translation>Les valeurs sont</translation>
-    </message>
-    <message>
-        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
-        <translation>Ce que sont les nombres de "Enjeux exposés" : tant dans chaque cellule du raster, polygone ou point (personnes), dont la somme est gardée ; ou tant par hectare.</translation>
-    </message>
-    <message>
-        <source>So much in each cell, polygon or point</source>
-        <translation>Tant par cellule, polygone ou point</translation>
-    </message>
-    <message>
-        <source>So much a hectare</source>
-        <translation>Tant par hectare</translation>
-    </message>
-    <message>
-        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
-        <translation>Plusieurs enjeux exposés, p. ex. people=villages.gpkg,weight=2</translation>
-    </message>
-    <message>
-        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
-        <translation>Plusieurs enjeux, chacun comme nom et fichier, suivi au besoin de son champ, d'un poids (ce que compte une unité dans la somme pour laquelle on planifie) et de as=density ; plusieurs se séparent par ;, chacun est donné par son nom.</translation>
-    </message>
-    <message>
         <source>Area of interest that is planned for</source>
         <translation>Zone d'intérêt pour laquelle on planifie</translation>
     </message>
@@ -894,162 +1102,6 @@
     <message>
         <source>Ground within this of a road is not cut: 50m.</source>
         <translation>Le terrain à cette distance d'une route n'est pas coupé : 50m.</translation>
-    </message>
-    <message>
-        <source>Conditions on features, such as barriers=highway = 'primary'</source>
-        <translation>Conditions sur les entités, p. ex. barriers=highway = 'primary'</translation>
-    </message>
-    <message>
-        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
-        <translation>Ne prend que les entités qui remplissent une condition, le nom de la couche devant, p. ex. barriers=highway = 'primary' ; plusieurs se séparent par ;.</translation>
-    </message>
-    <message>
-        <source>Use of the ignition points</source>
-        <translation>Emploi des points d'éclosion</translation>
-    </message>
-    <message>
-        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
-        <translation>Avec des points ou polygones : les passages les prennent tour à tour (la graine tire l'ordre), partent de tous, ou partent où de tels feux du passé sont denses.</translation>
-    </message>
-    <message>
-        <source>One for each fire, in turn</source>
-        <translation>Un par feu, tour à tour</translation>
-    </message>
-    <message>
-        <source>All at once in every fire</source>
-        <translation>Tous à la fois dans chaque feu</translation>
-    </message>
-    <message>
-        <source>More fires where they are dense</source>
-        <translation>Plus de feux où ils sont denses</translation>
-    </message>
-    <message>
-        <source>Ignition points without fuel</source>
-        <translation>Points d'éclosion sans combustible</translation>
-    </message>
-    <message>
-        <source>What to do with points and polygons off the landscape or without fuel.</source>
-        <translation>Que faire des points et polygones hors du paysage ou sans combustible.</translation>
-    </message>
-    <message>
-        <source>Leave them out</source>
-        <translation>Les laisser de côté</translation>
-    </message>
-    <message>
-        <source>Column with the hour of each ignition</source>
-        <translation>Colonne avec l'heure de chaque éclosion</translation>
-    </message>
-    <message>
-        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
-        <translation>Colonne des éclosions qui dit quand chacune s'allume, en heures après le début du passage.</translation>
-    </message>
-    <message>
-        <source>Embers</source>
-        <translation>Brandons</translation>
-    </message>
-    <message>
-        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
-        <translation>Brandons qui volent devant le feu : on, ou des nombres comme rate=12,longest=1000 à la place de ceux supposés.</translation>
-    </message>
-    <message>
-        <source>When crews contain a fire, such as 6h</source>
-        <translation>Quand les secours contiennent un feu, p. ex. 6h</translation>
-    </message>
-    <message>
-        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
-        <translation>Quand les secours contiennent chaque feu : un temps ou une distribution comme pour "Combien de temps les feux brûlent", ou une attaque directe à ce moment, qui échoue si le feu est alors trop grand ou trop intense : attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha au-dessus) [sinon jamais].</translation>
-    </message>
-    <message>
-        <source>How often a break holds, such as 0.47</source>
-        <translation>Combien de fois un pare-feu tient, p. ex. 0.47</translation>
-    </message>
-    <message>
-        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
-        <translation>Combien de fois un morceau de pare-feu tient dans un passage : une part (0.47 sur le terrain), flame (selon la largeur et l'intensité du feu, Wilson 1988) ou flame:flames (1.5 longueurs de flamme) ; les morceaux ont 400 m, ou comme dans 0.47:800 [sinon 0.47, une hypothèse].</translation>
-    </message>
-    <message>
-        <source>How often a barrier holds, such as 0.9</source>
-        <translation>Combien de fois une barrière tient, p. ex. 0.9</translation>
-    </message>
-    <message>
-        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
-        <translation>Part des passages où un morceau des barrières tient ; tirée à part des pare-feu.</translation>
-    </message>
-    <message>
-        <source>Stations of crews whom breaks wait for</source>
-        <translation>Bases des secours que les pare-feu attendent</translation>
-    </message>
-    <message>
-        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
-        <translation>Points ou zones d'où partent les secours : un morceau de pare-feu ne tient que contre le feu qui arrive après eux [sinon les secours sont partout].</translation>
-    </message>
-    <message>
-        <source>Travel of crews, such as road=40,off=3,delay=10</source>
-        <translation>Trajet des secours, p. ex. road=40,off=3,delay=10</translation>
-    </message>
-    <message>
-        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
-        <translation>Comment ils se déplacent : vitesse sur route et hors route en km/h, et minutes du début du feu à leur départ [sinon road=40,off=3,delay=10, des hypothèses].</translation>
-    </message>
-    <message>
-        <source>Fires without an end by time</source>
-        <translation>Feux sans fin par la durée</translation>
-    </message>
-    <message>
-        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
-        <translation>Les feux finissent d'eux-mêmes et les pare-feu tiennent dans chaque feu, si "Combien de fois un pare-feu tient" ne dit rien d'autre, comme dans l'article.</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Graine aléatoire</translation>
-    </message>
-    <message>
-        <source>Seed of all draws.</source>
-        <translation>Graine de tous les tirages.</translation>
-    </message>
-    <message>
-        <source>Table of weather</source>
-        <translation>Tableau météo</translation>
-    </message>
-    <message>
-        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
-        <translation>Ensemble de situations météo, dont chaque passage tire une : un fichier CSV avec wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time ; ou une rose des vents comme rose:NW=5x0.4,N=8x0.2.</translation>
-    </message>
-    <message>
-        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
-        <translation>comme rose des vents : rose:NW=5x0.4,N=8x0.2</translation>
-    </message>
-    <message>
-        <source>Time of each line of the table of weather, such as 1h</source>
-        <translation>Durée de chaque ligne du tableau météo, p. ex. 1h</translation>
-    </message>
-    <message>
-        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
-        <translation>Les lignes de la météo se suivent, et chacune dure autant, p. ex. 1h.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather, such as wind_speed=FF</source>
-        <translation>Colonnes du tableau météo, p. ex. wind_speed=FF</translation>
-    </message>
-    <message>
-        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
-        <translation>Nom d'une colonne de la météo, p. ex. wind_speed=FF ; plusieurs se séparent par ;.</translation>
-    </message>
-    <message>
-        <source>Units of the table of weather, such as wind_speed=kn</source>
-        <translation>Unités du tableau météo, p. ex. wind_speed=kn</translation>
-    </message>
-    <message>
-        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
-        <translation>Unité d'une colonne de la météo qui ne la dit pas, p. ex. wind_speed=kn ; plusieurs se séparent par ;.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather to leave out</source>
-        <translation>Colonnes du tableau météo à laisser de côté</translation>
-    </message>
-    <message>
-        <source>Columns of the weather to leave out, separated by commas.</source>
-        <translation>Colonnes de la météo à laisser de côté, séparées par des virgules.</translation>
     </message>
     <message>
         <source>Fire breaks</source>
@@ -1190,10 +1242,6 @@
     <message>
         <source>Length in kilometres</source>
         <translation>Longueur en kilomètres</translation>
-    </message>
-    <message>
-        <source>Compartments</source>
-        <translation>Compartiments</translation>
     </message>
     <message>
         <source>Cells that are cut: 1, all others 0.</source>

@@ -464,6 +464,278 @@
         <translation>Quanto vale una linea, o una distanza, p. es. ridge=0.8, valley=0 o reach=60; più di uno si separano con ;.</translation>
     </message>
     <message>
+        <source>Compartments bounded by control lines</source>
+        <translation>Comparti delimitati da linee di controllo</translation>
+    </message>
+    <message>
+        <source>Divide the landscape into compartments of about one size, bounded by the lines that are easiest to hold: potential operational delineations (PODs), on which crews agree before a fire.</source>
+        <translation>Dividere il paesaggio in comparti di dimensione simile, delimitati dalle linee più facili da tenere: delimitazioni operative potenziali (PODs), che le squadre concordano prima di un incendio.</translation>
+    </message>
+    <message>
+        <source>Each compartment has its fuel, ignitions, values, what burns in simulated fires, and how good its border is. The second layer of the file holds the borders.</source>
+        <translation>Ogni comparto ha il suo combustibile, i suoi inneschi e valori, ciò che brucia negli incendi simulati e la qualità del suo confine. Il secondo layer del file contiene i confini.</translation>
+    </message>
+    <message>
+        <source>Compartments</source>
+        <translation>Comparti</translation>
+    </message>
+    <message>
+        <source>Borders in kilometres</source>
+        <translation>Confini in chilometri</translation>
+    </message>
+    <message>
+        <source>Mean suitability of the borders</source>
+        <translation>Idoneità media dei confini</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, such as 500ha</source>
+        <translation>Dimensione dei comparti, ad es. 500ha</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, hectares of fuel; none is larger than one and a half times this.</source>
+        <translation>Dimensione dei comparti, in ettari di combustibile; nessuno supera una volta e mezza questo valore.</translation>
+    </message>
+    <message>
+        <source>Values at risk</source>
+        <translation>Valori a rischio</translation>
+    </message>
+    <message>
+        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
+        <translation>Valori a rischio: un raster, o poligoni o punti con "Campo con il valore" [altrimenti 1 sul combustibile].</translation>
+    </message>
+    <message>
+        <source>How long fires burn, such as 8h</source>
+        <translation>Quanto durano gli incendi, ad es. 8h</translation>
+    </message>
+    <message>
+        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
+        <translation>Quanto durano gli incendi: 8h, un elenco che le esecuzioni prendono a turno (4h,8h), lognormal:8h,0.7 (mediana e sigma), uniform:2h,12h, o weather [altrimenti lognormal:8h,0.7, un'ipotesi].</translation>
+    </message>
+    <message>
+        <source>Ignition points</source>
+        <translation>Punti di innesco</translation>
+    </message>
+    <message>
+        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
+        <translation>Punti, poligoni (perimetri che già bruciano; qualsiasi file vettoriale, o CSV con x e y) o un raster della probabilità di innesco [altrimenti una cella a caso con combustibile per esecuzione].</translation>
+    </message>
+    <message>
+        <source>Number of fires</source>
+        <translation>Numero di incendi</translation>
+    </message>
+    <message>
+        <source>Simulated fires.</source>
+        <translation>Incendi simulati.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Seme</translation>
+    </message>
+    <message>
+        <source>Seed of all draws.</source>
+        <translation>Seme di tutti i sorteggi.</translation>
+    </message>
+    <message>
+        <source>How much more the worst ground counts than the best</source>
+        <translation>Quanto conta di più il terreno peggiore rispetto al migliore</translation>
+    </message>
+    <message>
+        <source>Number of times that the worst ground counts as much as the best, 1 to 100; 1 asks for the shortest borders.</source>
+        <translation>Numero di volte che il terreno peggiore conta quanto il migliore, da 1 a 100; con 1 si chiedono i confini più corti.</translation>
+    </message>
+    <message>
+        <source>Field with the value</source>
+        <translation>Campo con il valore</translation>
+    </message>
+    <message>
+        <source>Column of the value polygons or points [default: 1 for each].</source>
+        <translation>Colonna dei poligoni o punti di valore [altrimenti 1 per ciascuno].</translation>
+    </message>
+    <message>
+        <source>Values are</source>
+        <translation>I valori sono</translation>
+    </message>
+    <message>
+        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
+        <translation>Che cosa sono i numeri di "Valori a rischio": tanto in ogni cella del raster, poligono o punto (persone), di cui si conserva la somma; o tanto per ettaro.</translation>
+    </message>
+    <message>
+        <source>So much in each cell, polygon or point</source>
+        <translation>Tanto in ogni cella, poligono o punto</translation>
+    </message>
+    <message>
+        <source>So much a hectare</source>
+        <translation>Tanto per ettaro</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Più valori a rischio, ad es. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Più valori a rischio, ciascuno come nome e file, seguito se serve dal suo campo, da un peso (quanto conta un'unità nella somma per cui si pianifica) e da as=density; più valori si separano con ;, ciascuno è detto per nome.</translation>
+    </message>
+    <message>
+        <source>Conditions on features, such as barriers=highway = 'primary'</source>
+        <translation>Condizioni sugli elementi, ad es. barriers=highway = 'primary'</translation>
+    </message>
+    <message>
+        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
+        <translation>Prende solo gli elementi che soddisfano una condizione, con il nome del layer davanti, ad es. barriers=highway = 'primary'; più condizioni si separano con ;.</translation>
+    </message>
+    <message>
+        <source>Use of the ignition points</source>
+        <translation>Uso dei punti di innesco</translation>
+    </message>
+    <message>
+        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
+        <translation>Con punti o poligoni: le esecuzioni li prendono a turno (il seme sorteggia l'ordine), partono da tutti, o partono dove tali incendi del passato sono densi.</translation>
+    </message>
+    <message>
+        <source>One for each fire, in turn</source>
+        <translation>Uno per incendio, a turno</translation>
+    </message>
+    <message>
+        <source>All at once in every fire</source>
+        <translation>Tutti insieme in ogni incendio</translation>
+    </message>
+    <message>
+        <source>More fires where they are dense</source>
+        <translation>Più incendi dove sono densi</translation>
+    </message>
+    <message>
+        <source>Ignition points without fuel</source>
+        <translation>Punti di innesco senza combustibile</translation>
+    </message>
+    <message>
+        <source>What to do with points and polygons off the landscape or without fuel.</source>
+        <translation>Che cosa fare di punti e poligoni fuori dal paesaggio o senza combustibile.</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Lasciarli fuori</translation>
+    </message>
+    <message>
+        <source>Column with the hour of each ignition</source>
+        <translation>Colonna con l'ora di ogni innesco</translation>
+    </message>
+    <message>
+        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
+        <translation>Colonna degli inneschi che dice quando ciascuno si accende, in ore dopo l'inizio dell'esecuzione.</translation>
+    </message>
+    <message>
+        <source>Embers</source>
+        <translation>Tizzoni e faville</translation>
+    </message>
+    <message>
+        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
+        <translation>Tizzoni che volano davanti al fuoco: on, o numeri come rate=12,longest=1000 al posto di quelli ipotizzati.</translation>
+    </message>
+    <message>
+        <source>When crews contain a fire, such as 6h</source>
+        <translation>Quando le squadre contengono un incendio, ad es. 6h</translation>
+    </message>
+    <message>
+        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
+        <translation>Quando le squadre contengono ogni incendio: un tempo o una distribuzione come per "Quanto durano gli incendi", o un attacco diretto in quel momento, che fallisce se l'incendio è ormai troppo grande o intenso: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha sopra) [altrimenti mai].</translation>
+    </message>
+    <message>
+        <source>How often a break holds, such as 0.47</source>
+        <translation>Quanto spesso un viale tiene, ad es. 0.47</translation>
+    </message>
+    <message>
+        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
+        <translation>Quanto spesso un pezzo di viale tiene in un'esecuzione: una quota (0.47 sul campo), flame (per larghezza e intensità del fuoco, Wilson 1988) o flame:flames (1.5 lunghezze di fiamma); i pezzi hanno 400 m, o come in 0.47:800 [altrimenti 0.47, un'ipotesi].</translation>
+    </message>
+    <message>
+        <source>How often a barrier holds, such as 0.9</source>
+        <translation>Quanto spesso una barriera tiene, ad es. 0.9</translation>
+    </message>
+    <message>
+        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
+        <translation>Quota delle esecuzioni in cui un pezzo delle barriere tiene; sorteggiata a parte dai viali.</translation>
+    </message>
+    <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Basi delle squadre che i viali aspettano</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Punti o aree da cui partono le squadre: un pezzo di viale tiene solo contro il fuoco che arriva dopo di loro [altrimenti le squadre sono ovunque].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Spostamento delle squadre, ad es. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Come si spostano: velocità su strada e fuori in km/h, e minuti dall'inizio dell'incendio alla partenza [altrimenti road=40,off=3,delay=10, ipotesi].</translation>
+    </message>
+    <message>
+        <source>Fires without an end by time</source>
+        <translation>Incendi senza fine a tempo</translation>
+    </message>
+    <message>
+        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
+        <translation>Gli incendi finiscono da sé e i viali tengono in ogni incendio, se "Quanto spesso un viale tiene" non dice altro, come nell'articolo.</translation>
+    </message>
+    <message>
+        <source>Table of weather</source>
+        <translation>Tabella meteo</translation>
+    </message>
+    <message>
+        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
+        <translation>Insieme di situazioni meteo, di cui ogni esecuzione ne estrae una: un file CSV con wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; o una rosa dei venti come rose:NW=5x0.4,N=8x0.2.</translation>
+    </message>
+    <message>
+        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
+        <translation>come rosa dei venti: rose:NW=5x0.4,N=8x0.2</translation>
+    </message>
+    <message>
+        <source>Time of each line of the table of weather, such as 1h</source>
+        <translation>Durata di ogni riga della tabella meteo, ad es. 1h</translation>
+    </message>
+    <message>
+        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
+        <translation>Le righe del meteo si susseguono, e ciascuna dura tanto, ad es. 1h.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather, such as wind_speed=FF</source>
+        <translation>Colonne della tabella meteo, ad es. wind_speed=FF</translation>
+    </message>
+    <message>
+        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
+        <translation>Nome di una colonna del meteo, ad es. wind_speed=FF; più nomi si separano con ;.</translation>
+    </message>
+    <message>
+        <source>Units of the table of weather, such as wind_speed=kn</source>
+        <translation>Unità della tabella meteo, ad es. wind_speed=kn</translation>
+    </message>
+    <message>
+        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
+        <translation>Unità di una colonna del meteo che non la dice, ad es. wind_speed=kn; più unità si separano con ;.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather to leave out</source>
+        <translation>Colonne della tabella meteo da lasciare fuori</translation>
+    </message>
+    <message>
+        <source>Columns of the weather to leave out, separated by commas.</source>
+        <translation>Colonne del meteo da lasciare fuori, separate da virgole.</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, and their borders</source>
+        <translation>Comparti delimitati da linee di controllo, e i loro confini</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, without outlines</source>
+        <translation>Comparti delimitati da linee di controllo, senza contorni</translation>
+    </message>
+    <message>
+        <source>Borders of the compartments, without lines</source>
+        <translation>Confini dei comparti, senza linee</translation>
+    </message>
+    <message>
         <source>Plan fire breaks</source>
         <translation>Pianificare viali tagliafuoco</translation>
     </message>
@@ -488,14 +760,6 @@
         <translation>Quota bruciata media con i viali tagliafuoco</translation>
     </message>
     <message>
-        <source>Values at risk</source>
-        <translation>Valori a rischio</translation>
-    </message>
-    <message>
-        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
-        <translation>Valori a rischio: un raster, o poligoni o punti con "Campo con il valore" [altrimenti 1 sul combustibile].</translation>
-    </message>
-    <message>
         <source>Area where nothing may be cut</source>
         <translation>Area dove nulla può essere tagliato</translation>
     </message>
@@ -510,14 +774,6 @@
     <message>
         <source>Existing breaks, roads, rivers (raster, lines or polygons): all cells that they cut hold no fuel and cost nothing.</source>
         <translation>Viali, strade e fiumi esistenti (raster, linee o poligoni): tutte le celle che attraversano non hanno combustibile e non costano nulla.</translation>
-    </message>
-    <message>
-        <source>How long fires burn, such as 8h</source>
-        <translation>Quanto durano gli incendi, ad es. 8h</translation>
-    </message>
-    <message>
-        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
-        <translation>Quanto durano gli incendi: 8h, un elenco che le esecuzioni prendono a turno (4h,8h), lognormal:8h,0.7 (mediana e sigma), uniform:2h,12h, o weather [altrimenti lognormal:8h,0.7, un'ipotesi].</translation>
     </message>
     <message>
         <source>Budget, such as 10%, 5ha or 20000eur</source>
@@ -618,22 +874,6 @@
     <message>
         <source>Stripes: parallel bands across a direction, the plainest pattern of practice</source>
         <translation>Strisce: fasce parallele di traverso a una direzione, lo schema più semplice della pratica</translation>
-    </message>
-    <message>
-        <source>Ignition points</source>
-        <translation>Punti di innesco</translation>
-    </message>
-    <message>
-        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
-        <translation>Punti, poligoni (perimetri che già bruciano; qualsiasi file vettoriale, o CSV con x e y) o un raster della probabilità di innesco [altrimenti una cella a caso con combustibile per esecuzione].</translation>
-    </message>
-    <message>
-        <source>Number of fires</source>
-        <translation>Numero di incendi</translation>
-    </message>
-    <message>
-        <source>Simulated fires.</source>
-        <translation>Incendi simulati.</translation>
     </message>
     <message>
         <source>Unit of a budget that is a plain number</source>
@@ -824,38 +1064,6 @@
         <translation>Celle il cui centro è nell'area</translation>
     </message>
     <message>
-        <source>Field with the value</source>
-        <translation>Campo con il valore</translation>
-    </message>
-    <message>
-        <source>Column of the value polygons or points [default: 1 for each].</source>
-        <translation>Colonna dei poligoni o punti di valore [altrimenti 1 per ciascuno].</translation>
-    </message>
-    <message>
-        <source>Values are</source>
-        <translation>I valori sono</translation>
-    </message>
-    <message>
-        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
-        <translation>Che cosa sono i numeri di "Valori a rischio": tanto in ogni cella del raster, poligono o punto (persone), di cui si conserva la somma; o tanto per ettaro.</translation>
-    </message>
-    <message>
-        <source>So much in each cell, polygon or point</source>
-        <translation>Tanto in ogni cella, poligono o punto</translation>
-    </message>
-    <message>
-        <source>So much a hectare</source>
-        <translation>Tanto per ettaro</translation>
-    </message>
-    <message>
-        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
-        <translation>Più valori a rischio, ad es. people=villages.gpkg,weight=2</translation>
-    </message>
-    <message>
-        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
-        <translation>Più valori a rischio, ciascuno come nome e file, seguito se serve dal suo campo, da un peso (quanto conta un'unità nella somma per cui si pianifica) e da as=density; più valori si separano con ;, ciascuno è detto per nome.</translation>
-    </message>
-    <message>
         <source>Area of interest that is planned for</source>
         <translation>Area di interesse per cui si pianifica</translation>
     </message>
@@ -894,162 +1102,6 @@
     <message>
         <source>Ground within this of a road is not cut: 50m.</source>
         <translation>Il terreno entro questa distanza da una strada non si taglia: 50m.</translation>
-    </message>
-    <message>
-        <source>Conditions on features, such as barriers=highway = 'primary'</source>
-        <translation>Condizioni sugli elementi, ad es. barriers=highway = 'primary'</translation>
-    </message>
-    <message>
-        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
-        <translation>Prende solo gli elementi che soddisfano una condizione, con il nome del layer davanti, ad es. barriers=highway = 'primary'; più condizioni si separano con ;.</translation>
-    </message>
-    <message>
-        <source>Use of the ignition points</source>
-        <translation>Uso dei punti di innesco</translation>
-    </message>
-    <message>
-        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
-        <translation>Con punti o poligoni: le esecuzioni li prendono a turno (il seme sorteggia l'ordine), partono da tutti, o partono dove tali incendi del passato sono densi.</translation>
-    </message>
-    <message>
-        <source>One for each fire, in turn</source>
-        <translation>Uno per incendio, a turno</translation>
-    </message>
-    <message>
-        <source>All at once in every fire</source>
-        <translation>Tutti insieme in ogni incendio</translation>
-    </message>
-    <message>
-        <source>More fires where they are dense</source>
-        <translation>Più incendi dove sono densi</translation>
-    </message>
-    <message>
-        <source>Ignition points without fuel</source>
-        <translation>Punti di innesco senza combustibile</translation>
-    </message>
-    <message>
-        <source>What to do with points and polygons off the landscape or without fuel.</source>
-        <translation>Che cosa fare di punti e poligoni fuori dal paesaggio o senza combustibile.</translation>
-    </message>
-    <message>
-        <source>Leave them out</source>
-        <translation>Lasciarli fuori</translation>
-    </message>
-    <message>
-        <source>Column with the hour of each ignition</source>
-        <translation>Colonna con l'ora di ogni innesco</translation>
-    </message>
-    <message>
-        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
-        <translation>Colonna degli inneschi che dice quando ciascuno si accende, in ore dopo l'inizio dell'esecuzione.</translation>
-    </message>
-    <message>
-        <source>Embers</source>
-        <translation>Tizzoni e faville</translation>
-    </message>
-    <message>
-        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
-        <translation>Tizzoni che volano davanti al fuoco: on, o numeri come rate=12,longest=1000 al posto di quelli ipotizzati.</translation>
-    </message>
-    <message>
-        <source>When crews contain a fire, such as 6h</source>
-        <translation>Quando le squadre contengono un incendio, ad es. 6h</translation>
-    </message>
-    <message>
-        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
-        <translation>Quando le squadre contengono ogni incendio: un tempo o una distribuzione come per "Quanto durano gli incendi", o un attacco diretto in quel momento, che fallisce se l'incendio è ormai troppo grande o intenso: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha sopra) [altrimenti mai].</translation>
-    </message>
-    <message>
-        <source>How often a break holds, such as 0.47</source>
-        <translation>Quanto spesso un viale tiene, ad es. 0.47</translation>
-    </message>
-    <message>
-        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
-        <translation>Quanto spesso un pezzo di viale tiene in un'esecuzione: una quota (0.47 sul campo), flame (per larghezza e intensità del fuoco, Wilson 1988) o flame:flames (1.5 lunghezze di fiamma); i pezzi hanno 400 m, o come in 0.47:800 [altrimenti 0.47, un'ipotesi].</translation>
-    </message>
-    <message>
-        <source>How often a barrier holds, such as 0.9</source>
-        <translation>Quanto spesso una barriera tiene, ad es. 0.9</translation>
-    </message>
-    <message>
-        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
-        <translation>Quota delle esecuzioni in cui un pezzo delle barriere tiene; sorteggiata a parte dai viali.</translation>
-    </message>
-    <message>
-        <source>Stations of crews whom breaks wait for</source>
-        <translation>Basi delle squadre che i viali aspettano</translation>
-    </message>
-    <message>
-        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
-        <translation>Punti o aree da cui partono le squadre: un pezzo di viale tiene solo contro il fuoco che arriva dopo di loro [altrimenti le squadre sono ovunque].</translation>
-    </message>
-    <message>
-        <source>Travel of crews, such as road=40,off=3,delay=10</source>
-        <translation>Spostamento delle squadre, ad es. road=40,off=3,delay=10</translation>
-    </message>
-    <message>
-        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
-        <translation>Come si spostano: velocità su strada e fuori in km/h, e minuti dall'inizio dell'incendio alla partenza [altrimenti road=40,off=3,delay=10, ipotesi].</translation>
-    </message>
-    <message>
-        <source>Fires without an end by time</source>
-        <translation>Incendi senza fine a tempo</translation>
-    </message>
-    <message>
-        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
-        <translation>Gli incendi finiscono da sé e i viali tengono in ogni incendio, se "Quanto spesso un viale tiene" non dice altro, come nell'articolo.</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Seme</translation>
-    </message>
-    <message>
-        <source>Seed of all draws.</source>
-        <translation>Seme di tutti i sorteggi.</translation>
-    </message>
-    <message>
-        <source>Table of weather</source>
-        <translation>Tabella meteo</translation>
-    </message>
-    <message>
-        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
-        <translation>Insieme di situazioni meteo, di cui ogni esecuzione ne estrae una: un file CSV con wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; o una rosa dei venti come rose:NW=5x0.4,N=8x0.2.</translation>
-    </message>
-    <message>
-        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
-        <translation>come rosa dei venti: rose:NW=5x0.4,N=8x0.2</translation>
-    </message>
-    <message>
-        <source>Time of each line of the table of weather, such as 1h</source>
-        <translation>Durata di ogni riga della tabella meteo, ad es. 1h</translation>
-    </message>
-    <message>
-        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
-        <translation>Le righe del meteo si susseguono, e ciascuna dura tanto, ad es. 1h.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather, such as wind_speed=FF</source>
-        <translation>Colonne della tabella meteo, ad es. wind_speed=FF</translation>
-    </message>
-    <message>
-        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
-        <translation>Nome di una colonna del meteo, ad es. wind_speed=FF; più nomi si separano con ;.</translation>
-    </message>
-    <message>
-        <source>Units of the table of weather, such as wind_speed=kn</source>
-        <translation>Unità della tabella meteo, ad es. wind_speed=kn</translation>
-    </message>
-    <message>
-        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
-        <translation>Unità di una colonna del meteo che non la dice, ad es. wind_speed=kn; più unità si separano con ;.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather to leave out</source>
-        <translation>Colonne della tabella meteo da lasciare fuori</translation>
-    </message>
-    <message>
-        <source>Columns of the weather to leave out, separated by commas.</source>
-        <translation>Colonne del meteo da lasciare fuori, separate da virgole.</translation>
     </message>
     <message>
         <source>Fire breaks</source>
@@ -1190,10 +1242,6 @@
     <message>
         <source>Length in kilometres</source>
         <translation>Lunghezza in chilometri</translation>
-    </message>
-    <message>
-        <source>Compartments</source>
-        <translation>Comparti</translation>
     </message>
     <message>
         <source>Cells that are cut: 1, all others 0.</source>

@@ -464,6 +464,278 @@
         <translation>O que vale uma linha, ou um alcance, p. ex. ridge=0.8, valley=0 ou reach=60; vários separam-se com ;.</translation>
     </message>
     <message>
+        <source>Compartments bounded by control lines</source>
+        <translation>Compartimentos delimitados por linhas de controlo</translation>
+    </message>
+    <message>
+        <source>Divide the landscape into compartments of about one size, bounded by the lines that are easiest to hold: potential operational delineations (PODs), on which crews agree before a fire.</source>
+        <translation>Dividir a paisagem em compartimentos de tamanho semelhante, delimitados pelas linhas mais fáceis de defender: delimitações operacionais potenciais (PODs), que as equipas acordam antes de um incêndio.</translation>
+    </message>
+    <message>
+        <source>Each compartment has its fuel, ignitions, values, what burns in simulated fires, and how good its border is. The second layer of the file holds the borders.</source>
+        <translation>Cada compartimento tem o seu combustível, as suas ignições e valores, o que arde em incêndios simulados e a qualidade do seu limite. A segunda camada do ficheiro contém os limites.</translation>
+    </message>
+    <message>
+        <source>Compartments</source>
+        <translation>Compartimentos</translation>
+    </message>
+    <message>
+        <source>Borders in kilometres</source>
+        <translation>Limites em quilómetros</translation>
+    </message>
+    <message>
+        <source>Mean suitability of the borders</source>
+        <translation>Aptidão média dos limites</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, such as 500ha</source>
+        <translation>Tamanho dos compartimentos, p. ex. 500ha</translation>
+    </message>
+    <message>
+        <source>Size of the compartments, hectares of fuel; none is larger than one and a half times this.</source>
+        <translation>Tamanho dos compartimentos, em hectares de combustível; nenhum é maior do que uma vez e meia este valor.</translation>
+    </message>
+    <message>
+        <source>Values at risk</source>
+        <translation>Valores em risco</translation>
+    </message>
+    <message>
+        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
+        <translation>Valores em risco: um raster, ou polígonos ou pontos com "Campo com o valor" [senão, 1 sobre combustível].</translation>
+    </message>
+    <message>
+        <source>How long fires burn, such as 8h</source>
+        <translation>Quanto tempo ardem os incêndios, p. ex. 8h</translation>
+    </message>
+    <message>
+        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
+        <translation>Quanto tempo ardem os incêndios: 8h, uma lista que as execuções tomam à vez (4h,8h), lognormal:8h,0.7 (mediana e sigma), uniform:2h,12h, ou weather [senão, lognormal:8h,0.7, um pressuposto].</translation>
+    </message>
+    <message>
+        <source>Ignition points</source>
+        <translation>Pontos de ignição</translation>
+    </message>
+    <message>
+        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
+        <translation>Pontos, polígonos (perímetros que já ardem; qualquer ficheiro vetorial, ou CSV com x e y) ou um raster da probabilidade de ignição [senão, uma célula ao acaso com combustível por execução].</translation>
+    </message>
+    <message>
+        <source>Number of fires</source>
+        <translation>Número de incêndios</translation>
+    </message>
+    <message>
+        <source>Simulated fires.</source>
+        <translation>Incêndios simulados.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semente</translation>
+    </message>
+    <message>
+        <source>Seed of all draws.</source>
+        <translation>Semente de todos os sorteios.</translation>
+    </message>
+    <message>
+        <source>How much more the worst ground counts than the best</source>
+        <translation>Quanto mais conta o pior terreno do que o melhor</translation>
+    </message>
+    <message>
+        <source>Number of times that the worst ground counts as much as the best, 1 to 100; 1 asks for the shortest borders.</source>
+        <translation>Número de vezes que o pior terreno conta tanto como o melhor, de 1 a 100; com 1 pedem-se os limites mais curtos.</translation>
+    </message>
+    <message>
+        <source>Field with the value</source>
+        <translation>Campo com o valor</translation>
+    </message>
+    <message>
+        <source>Column of the value polygons or points [default: 1 for each].</source>
+        <translation>Coluna dos polígonos ou pontos de valor [senão, 1 para cada].</translation>
+    </message>
+    <message>
+        <source>Values are</source>
+        <translation>Os valores são</translation>
+    </message>
+    <message>
+        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
+        <translation>O que são os números de "Valores em risco": tanto em cada célula do raster, polígono ou ponto (pessoas), cuja soma se mantém; ou tanto por hectare.</translation>
+    </message>
+    <message>
+        <source>So much in each cell, polygon or point</source>
+        <translation>Tanto em cada célula, polígono ou ponto</translation>
+    </message>
+    <message>
+        <source>So much a hectare</source>
+        <translation>Tanto por hectare</translation>
+    </message>
+    <message>
+        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
+        <translation>Vários valores em risco, p. ex. people=villages.gpkg,weight=2</translation>
+    </message>
+    <message>
+        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
+        <translation>Vários valores em risco, cada um como nome e ficheiro, seguido se preciso do seu campo, um peso (o que uma unidade conta na soma para que se planeia) e as=density; vários separam-se com ;, cada um é dado pelo nome.</translation>
+    </message>
+    <message>
+        <source>Conditions on features, such as barriers=highway = 'primary'</source>
+        <translation>Condições sobre elementos, p. ex. barriers=highway = 'primary'</translation>
+    </message>
+    <message>
+        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
+        <translation>Toma só os elementos que cumprem uma condição, com o nome da camada à frente, p. ex. barriers=highway = 'primary'; várias separam-se com ;.</translation>
+    </message>
+    <message>
+        <source>Use of the ignition points</source>
+        <translation>Uso dos pontos de ignição</translation>
+    </message>
+    <message>
+        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
+        <translation>Com pontos ou polígonos: as execuções tomam-nos à vez (a semente sorteia a ordem), começam em todos, ou começam onde tais incêndios do passado são densos.</translation>
+    </message>
+    <message>
+        <source>One for each fire, in turn</source>
+        <translation>Um por incêndio, à vez</translation>
+    </message>
+    <message>
+        <source>All at once in every fire</source>
+        <translation>Todos ao mesmo tempo em cada incêndio</translation>
+    </message>
+    <message>
+        <source>More fires where they are dense</source>
+        <translation>Mais incêndios onde são densos</translation>
+    </message>
+    <message>
+        <source>Ignition points without fuel</source>
+        <translation>Pontos de ignição sem combustível</translation>
+    </message>
+    <message>
+        <source>What to do with points and polygons off the landscape or without fuel.</source>
+        <translation>O que fazer com pontos e polígonos fora da paisagem ou sem combustível.</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Deixá-los de fora</translation>
+    </message>
+    <message>
+        <source>Column with the hour of each ignition</source>
+        <translation>Coluna com a hora de cada ignição</translation>
+    </message>
+    <message>
+        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
+        <translation>Coluna das ignições que diz quando cada uma começa, em horas após o início da execução.</translation>
+    </message>
+    <message>
+        <source>Embers</source>
+        <translation>Projeções</translation>
+    </message>
+    <message>
+        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
+        <translation>Projeções que voam à frente do fogo: on, ou números como rate=12,longest=1000 em vez dos pressupostos.</translation>
+    </message>
+    <message>
+        <source>When crews contain a fire, such as 6h</source>
+        <translation>Quando os meios contêm um incêndio, p. ex. 6h</translation>
+    </message>
+    <message>
+        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
+        <translation>Quando os meios contêm cada incêndio: um tempo ou uma distribuição como em "Quanto tempo ardem os incêndios", ou um ataque direto nesse momento, que falha se o fogo já for demasiado grande ou intenso: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha acima) [senão, nunca].</translation>
+    </message>
+    <message>
+        <source>How often a break holds, such as 0.47</source>
+        <translation>Com que frequência um aceiro segura o fogo, p. ex. 0.47</translation>
+    </message>
+    <message>
+        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
+        <translation>Com que frequência um trecho de aceiro segura o fogo numa execução: uma proporção (0.47 no campo), flame (pela largura e intensidade do fogo, Wilson 1988) ou flame:flames (1.5 comprimentos de chama); os trechos têm 400 m, ou como em 0.47:800 [senão, 0.47, um pressuposto].</translation>
+    </message>
+    <message>
+        <source>How often a barrier holds, such as 0.9</source>
+        <translation>Com que frequência uma barreira segura o fogo, p. ex. 0.9</translation>
+    </message>
+    <message>
+        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
+        <translation>Proporção das execuções em que um trecho das barreiras segura o fogo; sorteada à parte dos aceiros.</translation>
+    </message>
+    <message>
+        <source>Stations of crews whom breaks wait for</source>
+        <translation>Bases dos meios por que os aceiros esperam</translation>
+    </message>
+    <message>
+        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
+        <translation>Pontos ou áreas de onde partem os meios: um trecho de aceiro só segura o fogo que chega depois deles [senão, há meios em toda a parte].</translation>
+    </message>
+    <message>
+        <source>Travel of crews, such as road=40,off=3,delay=10</source>
+        <translation>Deslocação dos meios, p. ex. road=40,off=3,delay=10</translation>
+    </message>
+    <message>
+        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
+        <translation>Como se deslocam: velocidade em estrada e fora dela em km/h, e minutos desde o início do incêndio até partirem [senão, road=40,off=3,delay=10, pressupostos].</translation>
+    </message>
+    <message>
+        <source>Fires without an end by time</source>
+        <translation>Incêndios sem fim por tempo</translation>
+    </message>
+    <message>
+        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
+        <translation>Os incêndios acabam por si e os aceiros seguram em todos, se "Com que frequência um aceiro segura o fogo" não disser outra coisa, como no artigo.</translation>
+    </message>
+    <message>
+        <source>Table of weather</source>
+        <translation>Tabela meteorológica</translation>
+    </message>
+    <message>
+        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
+        <translation>Conjunto de situações meteorológicas, de que cada execução tira uma: um ficheiro CSV com wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; ou uma rosa dos ventos como rose:NW=5x0.4,N=8x0.2.</translation>
+    </message>
+    <message>
+        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
+        <translation>como rosa dos ventos: rose:NW=5x0.4,N=8x0.2</translation>
+    </message>
+    <message>
+        <source>Time of each line of the table of weather, such as 1h</source>
+        <translation>Duração de cada linha da tabela meteorológica, p. ex. 1h</translation>
+    </message>
+    <message>
+        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
+        <translation>As linhas da meteorologia sucedem-se, e cada uma dura tanto, p. ex. 1h.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather, such as wind_speed=FF</source>
+        <translation>Colunas da tabela meteorológica, p. ex. wind_speed=FF</translation>
+    </message>
+    <message>
+        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
+        <translation>Nome de uma coluna da meteorologia, p. ex. wind_speed=FF; vários separam-se com ;.</translation>
+    </message>
+    <message>
+        <source>Units of the table of weather, such as wind_speed=kn</source>
+        <translation>Unidades da tabela meteorológica, p. ex. wind_speed=kn</translation>
+    </message>
+    <message>
+        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
+        <translation>Unidade de uma coluna da meteorologia que não a diz, p. ex. wind_speed=kn; várias separam-se com ;.</translation>
+    </message>
+    <message>
+        <source>Columns of the table of weather to leave out</source>
+        <translation>Colunas da tabela meteorológica a deixar de fora</translation>
+    </message>
+    <message>
+        <source>Columns of the weather to leave out, separated by commas.</source>
+        <translation>Colunas da meteorologia a deixar de fora, separadas por vírgulas.</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, and their borders</source>
+        <translation>Compartimentos delimitados por linhas de controlo, e os seus limites</translation>
+    </message>
+    <message>
+        <source>Compartments bounded by control lines, without outlines</source>
+        <translation>Compartimentos delimitados por linhas de controlo, sem contornos</translation>
+    </message>
+    <message>
+        <source>Borders of the compartments, without lines</source>
+        <translation>Limites dos compartimentos, sem linhas</translation>
+    </message>
+    <message>
         <source>Plan fire breaks</source>
         <translation>Planear aceiros</translation>
     </message>
@@ -488,14 +760,6 @@
         <translation>Proporção ardida média com os aceiros</translation>
     </message>
     <message>
-        <source>Values at risk</source>
-        <translation>Valores em risco</translation>
-    </message>
-    <message>
-        <source>Values at risk: a raster, or polygons or points with "Field with the value" [default: 1 on fuel].</source>
-        <translation>Valores em risco: um raster, ou polígonos ou pontos com "Campo com o valor" [senão, 1 sobre combustível].</translation>
-    </message>
-    <message>
         <source>Area where nothing may be cut</source>
         <translation>Área onde nada pode ser cortado</translation>
     </message>
@@ -510,14 +774,6 @@
     <message>
         <source>Existing breaks, roads, rivers (raster, lines or polygons): all cells that they cut hold no fuel and cost nothing.</source>
         <translation>Aceiros, estradas e rios existentes (raster, linhas ou polígonos): todas as células que cortam não têm combustível e nada custam.</translation>
-    </message>
-    <message>
-        <source>How long fires burn, such as 8h</source>
-        <translation>Quanto tempo ardem os incêndios, p. ex. 8h</translation>
-    </message>
-    <message>
-        <source>How long fires burn: 8h, a list that the runs take in turn (4h,8h), lognormal:8h,0.7 (median and sigma), uniform:2h,12h, or weather [default: lognormal:8h,0.7, an assumption].</source>
-        <translation>Quanto tempo ardem os incêndios: 8h, uma lista que as execuções tomam à vez (4h,8h), lognormal:8h,0.7 (mediana e sigma), uniform:2h,12h, ou weather [senão, lognormal:8h,0.7, um pressuposto].</translation>
     </message>
     <message>
         <source>Budget, such as 10%, 5ha or 20000eur</source>
@@ -618,22 +874,6 @@
     <message>
         <source>Stripes: parallel bands across a direction, the plainest pattern of practice</source>
         <translation>Faixas: bandas paralelas através de uma direção, o padrão mais simples da prática</translation>
-    </message>
-    <message>
-        <source>Ignition points</source>
-        <translation>Pontos de ignição</translation>
-    </message>
-    <message>
-        <source>Points, polygons (perimeters that burn already; any vector file, or CSV with x and y) or a raster of ignition probability [default: one random cell with fuel a run].</source>
-        <translation>Pontos, polígonos (perímetros que já ardem; qualquer ficheiro vetorial, ou CSV com x e y) ou um raster da probabilidade de ignição [senão, uma célula ao acaso com combustível por execução].</translation>
-    </message>
-    <message>
-        <source>Number of fires</source>
-        <translation>Número de incêndios</translation>
-    </message>
-    <message>
-        <source>Simulated fires.</source>
-        <translation>Incêndios simulados.</translation>
     </message>
     <message>
         <source>Unit of a budget that is a plain number</source>
@@ -824,38 +1064,6 @@
         <translation>Células cujo centro está na área</translation>
     </message>
     <message>
-        <source>Field with the value</source>
-        <translation>Campo com o valor</translation>
-    </message>
-    <message>
-        <source>Column of the value polygons or points [default: 1 for each].</source>
-        <translation>Coluna dos polígonos ou pontos de valor [senão, 1 para cada].</translation>
-    </message>
-    <message>
-        <source>Values are</source>
-        <translation>Os valores são</translation>
-    </message>
-    <message>
-        <source>What the numbers of "Values at risk" are: so much in each cell of the raster, polygon or point (people), the sum of which is kept; or so much a hectare.</source>
-        <translation>O que são os números de "Valores em risco": tanto em cada célula do raster, polígono ou ponto (pessoas), cuja soma se mantém; ou tanto por hectare.</translation>
-    </message>
-    <message>
-        <source>So much in each cell, polygon or point</source>
-        <translation>Tanto em cada célula, polígono ou ponto</translation>
-    </message>
-    <message>
-        <source>So much a hectare</source>
-        <translation>Tanto por hectare</translation>
-    </message>
-    <message>
-        <source>Several values at risk, such as people=villages.gpkg,weight=2</source>
-        <translation>Vários valores em risco, p. ex. people=villages.gpkg,weight=2</translation>
-    </message>
-    <message>
-        <source>Several values at risk, each as a name and a file, with its field, a weight (what a unit counts in the sum that is planned for) and as=density after it as needed; several are separated by ;, each is told by name.</source>
-        <translation>Vários valores em risco, cada um como nome e ficheiro, seguido se preciso do seu campo, um peso (o que uma unidade conta na soma para que se planeia) e as=density; vários separam-se com ;, cada um é dado pelo nome.</translation>
-    </message>
-    <message>
         <source>Area of interest that is planned for</source>
         <translation>Área de interesse para a qual se planeia</translation>
     </message>
@@ -894,162 +1102,6 @@
     <message>
         <source>Ground within this of a road is not cut: 50m.</source>
         <translation>O terreno a esta distância de uma estrada não é cortado: 50m.</translation>
-    </message>
-    <message>
-        <source>Conditions on features, such as barriers=highway = 'primary'</source>
-        <translation>Condições sobre elementos, p. ex. barriers=highway = 'primary'</translation>
-    </message>
-    <message>
-        <source>Take only features that fit a condition, with the name of the layer before it, such as barriers=highway = 'primary'; several are separated by ;.</source>
-        <translation>Toma só os elementos que cumprem uma condição, com o nome da camada à frente, p. ex. barriers=highway = 'primary'; várias separam-se com ;.</translation>
-    </message>
-    <message>
-        <source>Use of the ignition points</source>
-        <translation>Uso dos pontos de ignição</translation>
-    </message>
-    <message>
-        <source>With points or polygons: runs take them in turn (the seed draws the order), start at all of them, or start where such fires of the past are dense.</source>
-        <translation>Com pontos ou polígonos: as execuções tomam-nos à vez (a semente sorteia a ordem), começam em todos, ou começam onde tais incêndios do passado são densos.</translation>
-    </message>
-    <message>
-        <source>One for each fire, in turn</source>
-        <translation>Um por incêndio, à vez</translation>
-    </message>
-    <message>
-        <source>All at once in every fire</source>
-        <translation>Todos ao mesmo tempo em cada incêndio</translation>
-    </message>
-    <message>
-        <source>More fires where they are dense</source>
-        <translation>Mais incêndios onde são densos</translation>
-    </message>
-    <message>
-        <source>Ignition points without fuel</source>
-        <translation>Pontos de ignição sem combustível</translation>
-    </message>
-    <message>
-        <source>What to do with points and polygons off the landscape or without fuel.</source>
-        <translation>O que fazer com pontos e polígonos fora da paisagem ou sem combustível.</translation>
-    </message>
-    <message>
-        <source>Leave them out</source>
-        <translation>Deixá-los de fora</translation>
-    </message>
-    <message>
-        <source>Column with the hour of each ignition</source>
-        <translation>Coluna com a hora de cada ignição</translation>
-    </message>
-    <message>
-        <source>Column of the ignitions that tells when each is lit, in hours after the start of the run.</source>
-        <translation>Coluna das ignições que diz quando cada uma começa, em horas após o início da execução.</translation>
-    </message>
-    <message>
-        <source>Embers</source>
-        <translation>Projeções</translation>
-    </message>
-    <message>
-        <source>Embers that fly ahead of the fire: on, or numbers such as rate=12,longest=1000 in place of the assumed ones.</source>
-        <translation>Projeções que voam à frente do fogo: on, ou números como rate=12,longest=1000 em vez dos pressupostos.</translation>
-    </message>
-    <message>
-        <source>When crews contain a fire, such as 6h</source>
-        <translation>Quando os meios contêm um incêndio, p. ex. 6h</translation>
-    </message>
-    <message>
-        <source>When crews contain each fire: a time or a distribution as for "How long fires burn", or a direct attack at such a time, which fails if the fire is too large or too fierce by then: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha above it) [default: never].</source>
-        <translation>Quando os meios contêm cada incêndio: um tempo ou uma distribuição como em "Quanto tempo ardem os incêndios", ou um ataque direto nesse momento, que falha se o fogo já for demasiado grande ou intenso: attack:1h;size=4;intensity=4000;intense=1 (ha, kW/m, ha acima) [senão, nunca].</translation>
-    </message>
-    <message>
-        <source>How often a break holds, such as 0.47</source>
-        <translation>Com que frequência um aceiro segura o fogo, p. ex. 0.47</translation>
-    </message>
-    <message>
-        <source>How often a stretch of break holds in a run: a share (0.47 in the field), flame (by width and the intensity of the fire, Wilson 1988) or flame:flames (1.5 flame lengths); stretches have 400 m, or as in 0.47:800 [default: 0.47, an assumption].</source>
-        <translation>Com que frequência um trecho de aceiro segura o fogo numa execução: uma proporção (0.47 no campo), flame (pela largura e intensidade do fogo, Wilson 1988) ou flame:flames (1.5 comprimentos de chama); os trechos têm 400 m, ou como em 0.47:800 [senão, 0.47, um pressuposto].</translation>
-    </message>
-    <message>
-        <source>How often a barrier holds, such as 0.9</source>
-        <translation>Com que frequência uma barreira segura o fogo, p. ex. 0.9</translation>
-    </message>
-    <message>
-        <source>Share of runs in which a stretch of the barriers holds; drawn apart from the breaks.</source>
-        <translation>Proporção das execuções em que um trecho das barreiras segura o fogo; sorteada à parte dos aceiros.</translation>
-    </message>
-    <message>
-        <source>Stations of crews whom breaks wait for</source>
-        <translation>Bases dos meios por que os aceiros esperam</translation>
-    </message>
-    <message>
-        <source>Points or areas that crews set out from: a stretch of break holds only against fire that comes after them [default: crews are everywhere].</source>
-        <translation>Pontos ou áreas de onde partem os meios: um trecho de aceiro só segura o fogo que chega depois deles [senão, há meios em toda a parte].</translation>
-    </message>
-    <message>
-        <source>Travel of crews, such as road=40,off=3,delay=10</source>
-        <translation>Deslocação dos meios, p. ex. road=40,off=3,delay=10</translation>
-    </message>
-    <message>
-        <source>How they travel: speed on roads and off them in km/h, and minutes from the start of the fire until they leave [default: road=40,off=3,delay=10, assumptions].</source>
-        <translation>Como se deslocam: velocidade em estrada e fora dela em km/h, e minutos desde o início do incêndio até partirem [senão, road=40,off=3,delay=10, pressupostos].</translation>
-    </message>
-    <message>
-        <source>Fires without an end by time</source>
-        <translation>Incêndios sem fim por tempo</translation>
-    </message>
-    <message>
-        <source>Fires end by themselves and breaks hold in every fire unless "How often a break holds" says otherwise, as in the paper.</source>
-        <translation>Os incêndios acabam por si e os aceiros seguram em todos, se "Com que frequência um aceiro segura o fogo" não disser outra coisa, como no artigo.</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Semente</translation>
-    </message>
-    <message>
-        <source>Seed of all draws.</source>
-        <translation>Semente de todos os sorteios.</translation>
-    </message>
-    <message>
-        <source>Table of weather</source>
-        <translation>Tabela meteorológica</translation>
-    </message>
-    <message>
-        <source>Ensemble of weathers, of which each run draws one: a CSV file with wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; or a wind rose such as rose:NW=5x0.4,N=8x0.2.</source>
-        <translation>Conjunto de situações meteorológicas, de que cada execução tira uma: um ficheiro CSV com wind_speed_kmh, wind_from, moisture_pct, weight, duration_h, time; ou uma rosa dos ventos como rose:NW=5x0.4,N=8x0.2.</translation>
-    </message>
-    <message>
-        <source>as a wind rose: rose:NW=5x0.4,N=8x0.2</source>
-        <translation>como rosa dos ventos: rose:NW=5x0.4,N=8x0.2</translation>
-    </message>
-    <message>
-        <source>Time of each line of the table of weather, such as 1h</source>
-        <translation>Duração de cada linha da tabela meteorológica, p. ex. 1h</translation>
-    </message>
-    <message>
-        <source>The lines of the weather follow each other, and each lasts so long, e.g. 1h.</source>
-        <translation>As linhas da meteorologia sucedem-se, e cada uma dura tanto, p. ex. 1h.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather, such as wind_speed=FF</source>
-        <translation>Colunas da tabela meteorológica, p. ex. wind_speed=FF</translation>
-    </message>
-    <message>
-        <source>Name of a column of the weather, e.g. wind_speed=FF; several are separated by ;.</source>
-        <translation>Nome de uma coluna da meteorologia, p. ex. wind_speed=FF; vários separam-se com ;.</translation>
-    </message>
-    <message>
-        <source>Units of the table of weather, such as wind_speed=kn</source>
-        <translation>Unidades da tabela meteorológica, p. ex. wind_speed=kn</translation>
-    </message>
-    <message>
-        <source>Unit of a column of the weather that does not tell it, e.g. wind_speed=kn; several are separated by ;.</source>
-        <translation>Unidade de uma coluna da meteorologia que não a diz, p. ex. wind_speed=kn; várias separam-se com ;.</translation>
-    </message>
-    <message>
-        <source>Columns of the table of weather to leave out</source>
-        <translation>Colunas da tabela meteorológica a deixar de fora</translation>
-    </message>
-    <message>
-        <source>Columns of the weather to leave out, separated by commas.</source>
-        <translation>Colunas da meteorologia a deixar de fora, separadas por vírgulas.</translation>
     </message>
     <message>
         <source>Fire breaks</source>
@@ -1190,10 +1242,6 @@
     <message>
         <source>Length in kilometres</source>
         <translation>Comprimento em quilómetros</translation>
-    </message>
-    <message>
-        <source>Compartments</source>
-        <translation>Compartimentos</translation>
     </message>
     <message>
         <source>Cells that are cut: 1, all others 0.</source>
