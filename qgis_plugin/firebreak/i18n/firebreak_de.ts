@@ -473,7 +473,7 @@
     </message>
     <message>
         <source>Each compartment has its fuel, ignitions, values, what burns in simulated fires, and how good its border is. The second layer of the file holds the borders.</source>
-        <translation>Jeder Abschnitt hat seinen Brennstoff, seine Zündungen und Werte, das, was in simulierten Feuern brennt, und die Güte seiner Grenze. Die zweite Ebene der Datei enthält die Grenzen.</translation>
+        <translation>Jeder Abschnitt hat seinen Brennstoff, seine Zündungen und Werte, das, was in simulierten Feuern brennt, und die Güte seiner Grenze. Der zweite Layer der Datei enthält die Grenzen.</translation>
     </message>
     <message>
         <source>Compartments</source>
@@ -537,7 +537,7 @@
     </message>
     <message>
         <source>How much more the worst ground counts than the best</source>
-        <translation>Wievielmal mehr der schlechteste Boden zählt als der beste</translation>
+        <translation>Um wie viel mehr der schlechteste Boden zählt als der beste</translation>
     </message>
     <message>
         <source>Number of times that the worst ground counts as much as the best, 1 to 100; 1 asks for the shortest borders.</source>
