@@ -35,6 +35,12 @@ _LOOKS = {
     "degree": ("#8d5a97", "-"),
     "eigenvector": ("#3b7a57", "-"),
     "flammability": ("#b5651d", ":"),
+    "information": ("#1d3557", "-"),
+    "current flow": ("#e76f51", "-"),
+    "percolation": ("#8d5a97", "-"),
+    "pagerank": ("#6a994e", "-"),
+    "domirank": ("#edae49", "-"),
+    "group betweenness": ("#00b4d8", "-"),
     "conventional": ("#b5651d", ":"),
     "random": ("#555555", "--"),
 }
@@ -42,7 +48,7 @@ _LOOKS = {
 
 @own_looks
 def figure_1(result: xr.Dataset, *, fallen: float) -> Figure:
-    """R(d_f) of all centralities on artificial forests; strips below show where each differs from random."""
+    """R(d_f) of centralities on artificial forests; strips below show where each differs from random."""
     figure = new_figure(9.0, 7.0)
     top, strips = figure.subplots(2, 1, sharex=True, height_ratios=(4, 1.3))
     d_f = result["budget"].to_numpy()

@@ -7,7 +7,7 @@ import pytest
 
 from firebreak_gis import forest, spread_network
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.evaluation.paper.artificial_forest import METHODS, artificial_forest, curve_table, summary
+from firebreak_gis.evaluation.paper.artificial_forest import METHODS, NAMED, artificial_forest, curve_table, summary
 from firebreak_gis.evaluation.paper.landscape import crop, cut_table, grey_levels, landscape_experiment, middle
 
 
@@ -52,6 +52,20 @@ def test_table_and_summary(ensemble):
     mean = ensemble["mean"].sel(ranking="random").to_numpy()
     first = found["methods"]["random"]["d_f_below_0.3"]
     assert mean[round(100 * first)] < 0.3 <= mean[round(100 * first) - 1]
+
+
+def test_rankings_that_the_paper_names_burn_the_same_fires(ensemble):
+    named = artificial_forest(rankings="named", n_forests=2, n_runs=5, seed=3, shape=(40, 47))
+    assert named["ranking"].to_numpy().tolist() == [label for label, _, _ in NAMED]
+    for label in ("bonacich 0.5", "betweenness", "random"):
+        both = (result["burnt_share"].sel(ranking=label)[:10] for result in (named, ensemble))
+        np.testing.assert_array_equal(*both)
+    mean = named["mean"]
+    assert (mean.sel(budget=0.0) == mean.sel(budget=0.0)[0]).all()
+    assert (mean.sel(budget=0.4, ranking=["information", "current flow", "percolation"]) < 0.3).all()
+    assert set(curve_table(named)["method"]) == {method for _, method, _ in NAMED}
+    with pytest.raises(ParameterError, match="paper, named"):
+        artificial_forest(rankings="others")
 
 
 def test_equal_seeds_give_equal_ensembles(ensemble):

@@ -135,20 +135,32 @@ FIGURES: tuple[Output[_Figures], ...] = (
 @outputs.output_folder(FOREST, default="artificial-forest")
 @click.option("--forests", "n_forests", type=kinds.COUNT, default=100, show_default=True, help="Number of forests.")
 @click.option("--runs", "n_runs", type=kinds.COUNT, default=10, show_default=True, help="Fires a forest.")
+@click.option(
+    "--rankings",
+    type=click.Choice(["paper", "named"]),
+    default="paper",
+    show_default=True,
+    help="Those of the paper's figure, or those that it names or that were found since: information, current flow, "
+    "percolation, PageRank, DomiRank, group betweenness (beside Bonacich, betweenness and random).",
+)
 @options.seed
 @options.common
 @built(output=OutputRequest)
-def artificial_forest_command(session: Session, output: OutputRequest, n_forests: int, n_runs: int, seed: int) -> None:
+def artificial_forest_command(
+    session: Session, output: OutputRequest, n_forests: int, n_runs: int, rankings: str, seed: int
+) -> None:
     """Figure 1: R(d_f) of every centrality on random forests of 50 x 50 cells."""
     from firebreak_gis.evaluation.paper.artificial_forest import FALLEN, artificial_forest
     from firebreak_gis.files.outputs import write_all
 
     how = require_outputs(output, FOREST, [])
-    forest = _Forest(artificial_forest(n_forests=n_forests, n_runs=n_runs, seed=seed, progress=session.progress))
+    forest = _Forest(
+        artificial_forest(rankings=rankings, n_forests=n_forests, n_runs=n_runs, seed=seed, progress=session.progress)
+    )
     files = write_all(FOREST, forest, output.output, how)
     found = forest.summary
     lines = [
-        f"{label:14} mean R below {FALLEN:g} from d_f = {row['d_f_below_0.3']}"
+        f"{label:17} mean R below {FALLEN:g} from d_f = {row['d_f_below_0.3']}"
         for label, row in found["methods"].items()
     ]
     session.finish({"files": files, **found}, "\n".join([*lines, f"written to {output.output}"]))
