@@ -51,7 +51,8 @@ def note(ctx: click.Context | None, param: click.Parameter | None, value: Any) -
 def recorded() -> dict[str, Any]:
     """Parameters of the running command worth keeping in `run.json`.
 
-    Those that shape the result, set ones only, as they were typed: so the account is a valid `--config`.
+    Those that shape the result, set ones only, as they were typed (numbers as numbers): so the account is a valid
+    `--config`.
     """
     ctx = click.get_current_context()
     values = {**ctx.params, **ctx.meta.get(_TYPED, {})}

@@ -151,7 +151,7 @@ def stops(residual: Amount, width: Amount, met: Amount, probability: float) -> n
 
     Examples
     --------
-    >>> stops(np.array([0.0, 0.05, 0.3]), 1, 14, 0.5).round(3), stops(0.3, 3, 14, 0.5).round(2)
+    >>> stops(np.array([0.0, 0.05, 0.3]), 1, 14, 0.5).round(3), float(stops(0.3, 3, 14, 0.5).round(2))
     (array([1.   , 0.35 , 0.002]), 0.28)
     """
     behind = met * (3.0 * probability * np.asarray(residual)) ** width

@@ -16,9 +16,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from firebreak_gis.evaluation.measures import BOUNDS, WORST, resamples, worst_mean
-from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.progress import Progress, part
-from firebreak_gis.simulation.fires import burn, resolved
 from firebreak_gis.stakes import Stakes
 
 if TYPE_CHECKING:
@@ -76,6 +74,9 @@ def for_worst_tenth(
     tuple
         Ranking and breaks.
     """
+    from firebreak_gis.kernels.draws import seed_for
+    from firebreak_gis.simulation.fires import burn, resolved
+
     own = replace(fires, seed=seed_for(fires.seed, "design"), n_runs=max(_RUNS, fires.n_runs))
     start = resolved(network, own)
     own = replace(own, ignitions=start)

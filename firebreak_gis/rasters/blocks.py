@@ -50,7 +50,9 @@ def write_blocks(
     creation_options: Mapping[str, Any] | None = None,
     forbid: Iterable[str | os.PathLike[str]] = (),
 ) -> Path:
-    """Write variables of the schema that come in blocks of rows; the file is, byte for byte, that of `write_raster`.
+    """Write variables of the schema that come in blocks of rows; cells and texts are those of `write_raster`.
+
+    Overviews may differ in the last digits: GDAL makes those of a file on the disk another way.
 
     Parameters
     ----------
@@ -147,7 +149,7 @@ def _gather(
                 if target is None:
                     variables = variables_of(layers)
                     tiles = {"tiled": True, "blockxsize": ROWS, "blockysize": ROWS, "compress": "DEFLATE", "zlevel": 1}
-                    how = {"driver": "GTiff", "bigtiff": "YES", "interleave": "band", **tiles}
+                    how = {"driver": "GTiff", "bigtiff": "YES", "interleave": "pixel", **tiles}
                     with _failing(scratch):
                         target = rasterio.open(scratch, "w", **profile_of(grid, variables), **how)
                         describe(target, variables, tags_of(data, provenance))

@@ -147,13 +147,13 @@ def test_usage_errors_are_json_too(folder):
 
 
 def test_bugs_say_so(folder, tmp_path, monkeypatch):
-    monkeypatch.setattr("firebreak_gis.ranking.rank", lambda *_, **__: 1 / 0)
+    monkeypatch.setattr("firebreak_gis.ranking.rankings", lambda *_, **__: 1 / 0)
     outcome = run("rank", folder / "network.tif", "-o", tmp_path / "p.tif", "--json", code=1)
     (line,) = json_lines(outcome.stdout)
     assert line["error"]["kind"] == "bug"
     assert "ZeroDivisionError" in line["error"]["message"]
     assert "please report" in outcome.stderr
-    monkeypatch.setattr("firebreak_gis.ranking.rank", lambda *_, **__: (_ for _ in ()).throw(MemoryError()))
+    monkeypatch.setattr("firebreak_gis.ranking.rankings", lambda *_, **__: (_ for _ in ()).throw(MemoryError()))
     assert "out of memory" in run("rank", folder / "network.tif", "-o", tmp_path / "p.tif", code=5).stderr
 
 

@@ -268,8 +268,8 @@ def test_fields_of_a_legend_may_be_long(tmp_path):
         (["burn", "NETWORK", "-o", "f.img"], ".tif"),
         (["burn", "NETWORK", "-o", "f"], ".tif"),
         (["burn", "NETWORK", "-o", "f.tif", "--sizes", "s.xlsx"], ".csv"),
-        (["segments", "NETWORK", "NETWORK", "-o", "s.shp"], ".gpkg"),
-        (["segments", "NETWORK", "NETWORK", "-o", "s.kml"], ".gpkg"),
+        (["segments", "NETWORK", "NETWORK", "-o", "s.svg"], ".gpkg"),
+        (["segments", "NETWORK", "NETWORK", "-o", "s.kmz"], ".gpkg"),
     ],
     ids=lambda value: str(value[-1]) if isinstance(value, list) else "",
 )

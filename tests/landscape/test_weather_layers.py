@@ -251,7 +251,7 @@ def test_a_plan_keeps_what_was_done_to_the_weather_and_can_be_repeated(tmp_path)
     assert "wind towards east: turned from km/h into m/s" in done.stderr
     kept = json.loads((tmp_path / "out/run.json").read_text())
     assert any("turned from km/h" in line for line in kept["alignment"])
-    assert (kept["parameters"]["wind_uv"], kept["parameters"]["moisture"]) == ([u, u], "8%")
+    assert (kept["parameters"]["wind_uv"], kept["parameters"]["moisture"]) == ([u, u], 0.08)
     again = run("plan", "--config", tmp_path / "out/run.json", dem, vegetation, "normal", "-o", tmp_path / "again")
     assert again.exit_code == 0, again.stderr
     assert (tmp_path / "again/priority.tif").read_bytes() == (tmp_path / "out/priority.tif").read_bytes()

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import rasterio
 from click.testing import CliRunner
 
 import firebreak_gis as fb
@@ -83,7 +84,12 @@ def test_commands_give_the_same_bytes(folder, tmp_path, monkeypatch):
             done = CliRunner().invoke(firebreak, words)
             assert done.exit_code == 0, done.output
         made.append(_hashes(place))
+    nets = [{"net.tif": each.pop("net.tif")} for each in made]
     assert made[0] == made[1] == made[2]
+    assert nets[1] == nets[2]
+    with rasterio.open(tmp_path / "whole/net.tif") as whole, rasterio.open(tmp_path / "w64/net.tif") as parts:
+        np.testing.assert_array_equal(whole.read(), parts.read())
+        assert (whole.tags(), whole.profile) == (parts.tags(), parts.profile)
 
 
 def test_what_has_no_windows_is_refused(folder, tmp_path):
