@@ -124,9 +124,9 @@ def test_equal_plans_are_made_once(network, monkeypatch):
     def noted(*given, **more):
         one = rankings(*given, **more)
 
-        def each(params, progress):
+        def each(params, *rest):
             made.append(params)
-            return one(params, progress)
+            return one(params, *rest)
 
         return each
 
