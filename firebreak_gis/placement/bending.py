@@ -71,8 +71,8 @@ def bent(line: np.ndarray, network: SpreadNetwork, price: np.ndarray, *, width: 
     straight[row - top, col - left] = False
     away = ndimage.distance_transform_edt(straight)
     corridor = away <= reach
-    number = np.full(corridor.shape, -1, np.int64)
-    number[corridor] = np.arange(np.count_nonzero(corridor))
+    number = np.full(corridor.shape, -1, np.int32)  # scipy 1.12 takes no longer numbers
+    number[corridor] = np.arange(np.count_nonzero(corridor), dtype=np.int32)
     weight = price[top:bottom, left:right] * (1.0 + _STRAIGHT * away)
     beside = [
         (number[:-1][both], number[1:][both])
