@@ -246,29 +246,3 @@ def best_link_cut(
                     for v in range(n):
                         side[v] = 1 + (level[v] >= 0)
     return best, best_cost
-
-
-@kernel
-def pieces_of(near: np.ndarray) -> np.ndarray:
-    """Number of the connected piece of every cell, (n,) int32, in the order of their first cells."""
-    n = near.shape[0]
-    label = np.full(n, -1, np.int32)
-    queue = np.empty(n, np.int32)
-    count = 0
-    for start in range(n):
-        if label[start] >= 0:
-            continue
-        label[start] = count
-        queue[0] = start
-        head, tail = 0, 1
-        while head < tail:
-            v = queue[head]
-            head += 1
-            for d in range(8):
-                u = near[v, d]
-                if u >= 0 and label[u] < 0:
-                    label[u] = count
-                    queue[tail] = u
-                    tail += 1
-        count += 1
-    return label

@@ -9,7 +9,7 @@ and for ends of several sizes.
 from __future__ import annotations
 
 import heapq
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -231,23 +231,24 @@ def dissect(
         network.boundary == "periodic",
     )
     fuel = np.flatnonzero(network.burnable.ravel())
-    waiting = [(cells, -1) for cells in _pieces(patches, fuel, np.zeros(fuel.size, np.uint8))]
+    waiting = [(cells, -1) for cells in pieces_of(fuel, patches.near(fuel))]
     cuts: list[Cut] = []
-    left = total = _work(fuel.size, smallest)
+    left = total = work_of(fuel.size, smallest)
     while waiting:
         waiting = [(cells, parent) for cells, parent in waiting if cells.size >= smallest]
         share = 1.0 - left / max(total, 1.0)
-        left = sum(_work(cells.size / 2, smallest) for cells, _ in waiting)
-        masks = _cut_all(
-            patches,
+        left = sum(work_of(cells.size / 2, smallest) for cells, _ in waiting)
+        masks = best_walls(
             [cells for cells, _ in waiting],
+            patches.cut,
+            directions,
             threads=threads,
             progress=_scaled(progress, share, 1.0 - left / max(total, 1.0), f"{len(cuts)} walls"),
         )
         children = []
         for (cells, parent), mask in zip(waiting, masks, strict=True):
             if mask.any():
-                pieces = _pieces(patches, cells, mask)
+                pieces = pieces_of(cells, patches.near(cells), mask)
                 wall = along(cells[mask > 0], network.shape)
                 saved = patches.loss(cells) - sum(patches.loss(piece) for piece in pieces)
                 children += [(piece, len(cuts)) for piece in pieces]
@@ -264,14 +265,22 @@ def _scaled(progress: Progress, start: float, stop: float, message: str) -> Prog
     return report
 
 
-def _work(n_cells: float, smallest: int) -> float:
+def work_of(n_cells: float, smallest: int) -> float:
     """Rough work of splitting a compartment all the way down."""
     return n_cells**1.35 if n_cells >= smallest else 0.0
 
 
-def _pieces(patches: _Patches, cells: np.ndarray, mask: np.ndarray) -> list[np.ndarray]:
-    """Cells of the connected pieces that a wall leaves."""
-    label = pieces_after(patches.near(cells), mask)
+def pieces_of(cells: np.ndarray, near: np.ndarray, cut: np.ndarray | None = None) -> list[np.ndarray]:
+    """Cells of the connected pieces of a patch that a wall leaves, in the order of their first cells.
+
+    Parameters
+    ----------
+    cells, near
+        The patch, and its links as `kernels.flow.patch_links` returns them.
+    cut
+        (n,) uint8, 1 in the cells of the wall; None: none.
+    """
+    label = pieces_after(near, np.zeros(cells.size, np.uint8) if cut is None else cut)
     order = np.argsort(label, kind="stable")
     order = order[label[order] >= 0]
     if order.size == 0:
@@ -279,37 +288,62 @@ def _pieces(patches: _Patches, cells: np.ndarray, mask: np.ndarray) -> list[np.n
     return np.split(cells[order], np.flatnonzero(np.diff(label[order])) + 1)
 
 
-def _cut_all(
-    patches: _Patches, compartments: list[np.ndarray], *, threads: int | None, progress: Progress
-) -> list[np.ndarray]:
-    """Mask of the best wall of every compartment."""
-    every = range(patches.directions)
-    tasks: list[list[tuple[int, Sequence[int]]]] = []
-    batch: list[tuple[int, Sequence[int]]] = []
+def batches(compartments: Sequence[np.ndarray]) -> list[list[int]]:
+    """Positions of compartments by pieces of work, the largest first: large ones alone, small ones together."""
+    found: list[list[int]] = []
+    batch: list[int] = []
     filled = 0
     for i in sorted(range(len(compartments)), key=lambda i: -compartments[i].size):
         if compartments[i].size > _LARGE:
-            tasks += [[(i, [k])] for k in every]
+            found.append([i])
             continue
-        batch.append((i, every))
+        batch.append(i)
         filled += compartments[i].size
         if filled >= _BATCH:
-            tasks.append(batch)
+            found.append(batch)
             batch, filled = [], 0
-    if batch:
-        tasks.append(batch)
+    return [*found, batch] if batch else found
+
+
+def best_walls(
+    compartments: Sequence[np.ndarray],
+    cut: Callable[[np.ndarray, Sequence[int]], tuple[float, np.ndarray]],
+    directions: int,
+    *,
+    threads: int | None,
+    progress: Progress,
+    message: str = "",
+) -> list[np.ndarray]:
+    """The best wall of every compartment, as `cut` marks it.
+
+    Parameters
+    ----------
+    compartments
+        Cells of each.
+    cut
+        Returns the score and the mark of the best wall of some cells over some directions.
+    directions
+        How many there are; of equal walls that of the first counts.
+    """
+    every = range(directions)
+    tasks: list[list[tuple[int, Sequence[int]]]] = []
+    for batch in batches(compartments):
+        if compartments[batch[0]].size > _LARGE:
+            tasks += [[(batch[0], [k])] for k in every]
+        else:
+            tasks.append([(i, every) for i in batch])
     found: dict[tuple[int, int], tuple[float, np.ndarray]] = {}
 
     def work(task: list[tuple[int, Sequence[int]]]) -> None:
-        for i, directions in task:
-            found[i, directions[0]] = patches.cut(compartments[i], directions)
+        for i, chosen in task:
+            found[i, chosen[0]] = cut(compartments[i], chosen)
 
-    run_pieces(work, tasks, threads=threads, progress=progress, message="")
-    masks = []
+    run_pieces(work, tasks, threads=threads, progress=progress, message=message)
+    best = []
     for i in range(len(compartments)):
         options = [found[i, k] for k in every if (i, k) in found]
-        masks.append(max(options, key=lambda option: option[0])[1])  # the first of equals
-    return masks
+        best.append(max(options, key=lambda option: option[0])[1])  # the first of equals
+    return best
 
 
 def along(cells: np.ndarray, shape: tuple[int, int]) -> np.ndarray:

@@ -18,9 +18,9 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.kernels.crossings import PARTS, cross_links
 from firebreak_gis.kernels.drawing import channels, landings, lines_in, prices_of
 from firebreak_gis.kernels.flow import patch_links
-from firebreak_gis.kernels.linkflow import MOST, best_link_cut, link_costs, pieces_of
+from firebreak_gis.kernels.linkflow import MOST, best_link_cut, link_costs
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
-from firebreak_gis.placement.dissection import ordered
+from firebreak_gis.placement.dissection import batches, best_walls, ordered, pieces_of, work_of
 from firebreak_gis.placement.edges import links
 from firebreak_gis.progress import part
 from firebreak_gis.threads import run_pieces
@@ -30,10 +30,6 @@ if TYPE_CHECKING:
     from firebreak_gis.progress import Progress
     from firebreak_gis.stakes import Stakes
 
-#: Compartments with more cells are searched in one direction a piece of work, so that all threads are busy.
-_LARGE = 20_000
-#: Cells in a piece of work of small compartments.
-_BATCH = 20_000
 #: Costs of a link along an axis and across; where prices differ, of one of the median price.
 _EQUAL, _DIFFERENT = (17.0, 12.0), (170.0, 120.0)
 #: Gates of a channel from which on its line may leave it.
@@ -121,9 +117,7 @@ class _Field:
             points, first = lines_in(gates, starts, ends, price, places, freedom)
             lines, crossed = box.crossed(points, first)
             parted = (crossed[:, np.newaxis] >> np.arange(8, dtype=np.uint8)) & 1 > 0
-            pieces = pieces_of(np.where(parted, np.int32(-1), near))
-            order = np.argsort(pieces, kind="stable")
-            split = np.split(cells[order], np.flatnonzero(np.diff(pieces[order])) + 1)
+            split = pieces_of(cells, np.where(parted, np.int32(-1), near))
             saved = self.loss(cells) - sum(self.loss(one) for one in split)
             length = sum(float(np.hypot(*np.diff(line, axis=0).T).sum()) for line in lines) / PARTS
             cost = prices_of(points, first, box.filled(-1.0, self.cost[cells]))
@@ -233,15 +227,13 @@ def dissect_by_lines(
         np.asarray(shares),
     )
     fuel = np.flatnonzero(network.burnable.ravel())
-    pieces = pieces_of(field.near(fuel))
-    order = np.argsort(pieces, kind="stable")
-    waiting = [(cells, -1) for cells in np.split(fuel[order], np.flatnonzero(np.diff(pieces[order])) + 1)]
+    waiting = [(cells, -1) for cells in pieces_of(fuel, field.near(fuel))]
     cuts: list[LineCut] = []
-    left = total = _work(fuel.size, smallest)
+    left = total = work_of(fuel.size, smallest)
     while waiting:
         waiting = [(cells, parent) for cells, parent in waiting if cells.size >= smallest]
         done = 1.0 - left / max(total, 1.0)
-        left = sum(_work(cells.size / 2, smallest) for cells, _ in waiting)
+        left = sum(work_of(cells.size / 2, smallest) for cells, _ in waiting)
         step = part(progress, done, 1.0 - left / max(total, 1.0))
         walls = _walls(field, [cells for cells, _ in waiting], directions, threads, step, f"{len(cuts)} walls")
         children = []
@@ -271,11 +263,6 @@ def _prices(network: SpreadNetwork, stakes: Stakes) -> tuple[np.ndarray, tuple[f
     return price, (min(1.0, most) * _DIFFERENT[0], min(1.0, most) * _DIFFERENT[1])
 
 
-def _work(n_cells: float, smallest: int) -> float:
-    """Rough work of splitting a compartment all the way down."""
-    return n_cells**1.35 if n_cells >= smallest else 0.0
-
-
 def _walls(
     field: _Field,
     compartments: list[np.ndarray],
@@ -285,36 +272,15 @@ def _walls(
     message: str,
 ) -> list[_Drawn | None]:
     """The best wall of every compartment."""
-    every = range(directions)
-    searches: list[list[tuple[int, Sequence[int]]]] = []
-    drawings: list[list[int]] = []
-    batch: list[int] = []
-    filled = 0
-    order = sorted(range(len(compartments)), key=lambda i: -compartments[i].size)
-    for i in order:
-        if compartments[i].size > _LARGE:
-            searches += [[(i, [k])] for k in every]
-            drawings.append([i])
-            continue
-        batch.append(i)
-        filled += compartments[i].size
-        if filled >= _BATCH or i == order[-1]:
-            searches.append([(k, every) for k in batch])
-            drawings.append(batch)
-            batch, filled = [], 0
-    found: dict[tuple[int, int], tuple[float, np.ndarray]] = {}
+    sides = best_walls(
+        compartments, field.cut, directions, threads=threads, progress=part(progress, 0.0, 0.8), message=message
+    )
     walls: list[_Drawn | None] = [None] * len(compartments)
 
-    def search(task: list[tuple[int, Sequence[int]]]) -> None:
-        for i, chosen in task:
-            found[i, chosen[0]] = field.cut(compartments[i], chosen)
+    def draw(batch: list[int]) -> None:
+        for i in batch:
+            walls[i] = field.drawn(compartments[i], sides[i])
 
-    def draw(task: list[int]) -> None:
-        for i in task:
-            options = [found[i, k] for k in every if (i, k) in found]
-            side = max(options, key=lambda option: option[0])[1]  # the first of equals
-            walls[i] = field.drawn(compartments[i], side)
-
-    run_pieces(search, searches, threads=threads, progress=part(progress, 0.0, 0.8), message=message)
-    run_pieces(draw, drawings, threads=threads, progress=part(progress, 0.8, 1.0), message=message)
+    step = part(progress, 0.8, 1.0)
+    run_pieces(draw, batches(compartments), threads=threads, progress=step, message=message)
     return walls

@@ -102,7 +102,7 @@ class MapInMemory:
             crs=whole.grid.crs,
             transform=window.grid(whole.grid).transform,
             provenance=whole.provenance,
-            travel_time=None if whole.travel_time is None else _times(whole.travel_time[:, rows, cols]),
+            travel_time=None if whole.travel_time is None else whole.travel_time[:, rows, cols],
             heat=None if whole.heat is None else whole.heat[rows, cols],
         )
         barriers = None if self.barriers is None else whole.mask(self.barriers, "barriers")[rows, cols]
@@ -117,13 +117,6 @@ def breaks_in(window: Window, breaks: np.ndarray | LineBreaks | None, grid: Grid
     if isinstance(breaks, LineBreaks):
         return breaks.part(*window.slices, window.grid(grid))
     return breaks[window.slices]
-
-
-def _times(seconds: np.ndarray) -> np.ndarray:
-    """Travel times as `SpreadNetwork` takes them, NaN where there is no edge."""
-    from firebreak_gis.lattice import NEVER
-
-    return np.where(seconds == NEVER, np.nan, seconds.astype(np.float64))
 
 
 class _FuelMap:

@@ -17,8 +17,8 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.grid import parse_crs
 from firebreak_gis.kernels.crossings import PARTS, cross_links
 from firebreak_gis.kernels.drawing import channels, landings, lines_in, price_along, shortest
-from firebreak_gis.kernels.flow import patch_links
-from firebreak_gis.kernels.linkflow import MOST, UNCUTTABLE, best_link_cut, link_costs, pieces_of
+from firebreak_gis.kernels.flow import patch_links, pieces_after
+from firebreak_gis.kernels.linkflow import MOST, UNCUTTABLE, best_link_cut, link_costs
 from firebreak_gis.landscape.lines import links_crossed
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.placement.edges import links
@@ -43,7 +43,7 @@ def patch_of(fuel):
     bits = links(forest_of(fuel)).ravel()
     cells = np.flatnonzero(fuel.ravel())
     near = patch_links(cells, bits, *fuel.shape, np.array(ROW_STEP), np.array(COL_STEP))
-    piece = pieces_of(near)
+    piece = pieces_after(near, np.zeros(cells.size, np.uint8))
     cells = cells[piece == np.bincount(piece).argmax()]
     return cells, patch_links(cells, bits, *fuel.shape, np.array(ROW_STEP), np.array(COL_STEP))
 
