@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -32,46 +32,6 @@ def provenance(parameters: Mapping[str, Any], *, seed: int | None = None) -> dic
     return tags
 
 
-def write_manifest(
-    path: str | os.PathLike[str],
-    *,
-    command: str,
-    parameters: Mapping[str, Any],
-    inputs: Iterable[str | os.PathLike[str]],
-    outputs: Iterable[str | os.PathLike[str]],
-    account: Mapping[str, Any],
-    overwrite: bool = False,
-) -> Path:
-    """Write the account of a run; call it last, when all outputs are in place.
-
-    Parameters
-    ----------
-    path
-        Usually `run.json` in the output folder.
-    command
-        Name of the command.
-    parameters
-        Resolved parameters, keys as the options of the command line, plain data.
-    inputs, outputs
-        Files read and written; outputs are named relative to the folder of `path`.
-    account
-        More to keep: grid, alignment, warnings, results.
-    overwrite
-        Whether an existing file may be replaced.
-    """
-    target = Path(path)
-    document = {
-        **_beginning(command, parameters, [_input(p) for p in inputs], account),
-        "outputs": [_output(p, target.parent) for p in outputs],
-    }
-    return _write(target, document, overwrite=overwrite)
-
-
-def _write(target: Path, document: Mapping[str, Any], *, overwrite: bool) -> Path:
-    write_text(target, json.dumps(document, indent=2, ensure_ascii=False) + "\n", overwrite=overwrite)
-    return target
-
-
 def told(command: str, how: Writing, account: Mapping[str, Any]) -> dict[str, Any]:
     """What `run.json` will hold but for the outputs, for a report that is written before it.
 
@@ -82,20 +42,14 @@ def told(command: str, how: Writing, account: Mapping[str, Any]) -> dict[str, An
     how
         How the run writes; the inputs are looked at once.
     account
-        As in `write_manifest`.
+        More to keep: grid, alignment, warnings, results.
     """
-    return _beginning(command, how.parameters, _inputs(how), account)
-
-
-def _beginning(
-    command: str, parameters: Mapping[str, Any], inputs: list[dict[str, Any]], account: Mapping[str, Any]
-) -> dict[str, Any]:
     return {
         "software": SOFTWARE,
         "version": __version__,
         "command": command,
-        "parameters": plain(parameters),
-        "inputs": inputs,
+        "parameters": plain(how.parameters),
+        "inputs": _inputs(how),
         **plain(account),
     }
 
@@ -115,13 +69,13 @@ def account(command: str, tell: Callable[[R], Mapping[str, Any]]) -> Output[R]:
     command
         Name of the command.
     tell
-        What to keep of a result, see `write_manifest`.
+        What to keep of a result, see `told`.
     """
 
     def write(result: R, path: Path, how: Writing) -> None:
         document = told(command, how, tell(result))
         document["outputs"] = [_output(name, path.parent) for name in how.written]
-        _write(path, document, overwrite=how.overwrite)
+        write_text(path, json.dumps(document, indent=2, ensure_ascii=False) + "\n", overwrite=how.overwrite)
 
     return Output("run.json", "Account of the run", write)
 

@@ -8,12 +8,14 @@ entry points `firebreak_gis.ranking` and `firebreak_gis.spread`.
 from __future__ import annotations
 
 import dataclasses
+import functools
 import importlib
 import importlib.metadata
 import importlib.util
 import inspect
 import math
 import pkgutil
+import sys
 import typing
 from collections.abc import Mapping
 from types import ModuleType
@@ -285,7 +287,13 @@ def describe(kind: str, name: str) -> dict[str, Any]:
 
 
 def _entry_points(kind: str) -> dict[str, importlib.metadata.EntryPoint]:
-    return {e.name: e for e in importlib.metadata.entry_points(group=KINDS[kind][0])}
+    return _installed(KINDS[kind][0], tuple(sys.path))
+
+
+@functools.lru_cache(maxsize=len(KINDS))
+def _installed(group: str, _: tuple[str, ...]) -> dict[str, importlib.metadata.EntryPoint]:
+    """Looking through all that is installed takes as long as a small ranking, so it is done once a path."""
+    return {e.name: e for e in importlib.metadata.entry_points(group=group)}
 
 
 def _type_name(field: dataclasses.Field[Any]) -> str:

@@ -9,9 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from firebreak_gis import __version__
+from firebreak_gis import __version__, manifest
 from firebreak_gis.errors import InputError, OutputError, ParameterError
-from firebreak_gis.manifest import plain, provenance, read_config, write_manifest
+from firebreak_gis.files.outputs import Writing
+from firebreak_gis.manifest import plain, provenance, read_config
 from tests import places
 
 
@@ -29,10 +30,15 @@ def write(files, **more):
         "command": "plan",
         "parameters": {"budget": 0.14, "params": {"beta": np.float64(0.5)}, "dem": Path("x/dem.tif")},
         "inputs": [files / "in/dem.tif"],
-        "outputs": [files / "out/a.tif", files / "out/b c.csv"],
+        "written": [files / "out/a.tif", files / "out/b c.csv"],
         "account": {"cells": np.int64(7), "warnings": ("ölig",)},
     }
-    return write_manifest(files / "out/run.json", **{**options, **more})
+    return written(files / "out/run.json", **{**options, **more})
+
+
+def written(path, *, command, account, **how):
+    manifest.account(command, lambda result: result).write(account, path, Writing(**how))
+    return path
 
 
 def test_manifest_says_what_went_in_and_came_out(files):
@@ -69,10 +75,8 @@ def test_grids_are_told_of_rasters_alone(tmp_path):
     vectors = [tmp_path / name for name in ("a.kml", "a.gml", "a.shz", "a.gdb.zip")]
     for path in vectors:
         path.write_bytes(raster.read_bytes())
-    written = write_manifest(
-        tmp_path / "run.json", command="plan", parameters={}, inputs=[raster, *vectors], outputs=[], account={}
-    )
-    first, *others = json.loads(written.read_text())["inputs"]
+    path = written(tmp_path / "run.json", command="plan", inputs=[raster, *vectors], account={})
+    first, *others = json.loads(path.read_text())["inputs"]
     assert first["shape"] == [3, 4]
     assert [set(entry) for entry in others] == [{"path", "sha256"}] * len(vectors)
 

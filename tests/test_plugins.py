@@ -176,3 +176,12 @@ def test_strangers_add_methods(stranger, make_landscape):
 
 def test_strangers_are_gone_again():
     assert "west" not in plugins.names("ranking")
+
+
+def test_what_is_installed_is_looked_through_once(monkeypatch):
+    plugins.names("ranking")
+    monkeypatch.setattr(plugins.importlib.metadata, "entry_points", lambda **_: pytest.fail("looked again"))
+    assert plugins.load("ranking", "degree").__name__ == "firebreak_gis.ranking.degree"
+    monkeypatch.syspath_prepend("elsewhere")
+    with pytest.raises(pytest.fail.Exception, match="looked again"):
+        plugins.names("ranking")

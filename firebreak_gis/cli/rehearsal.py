@@ -152,14 +152,12 @@ def require_possible(request: PlanRequest) -> None:
     from firebreak_gis.planning.judging import judging
 
     checked_residual(request.fires.leak)
-    request.require_one_residual()
     if request.design.amount.unit == "share":
         request.design.amount.require()
-    request.design.require_lines()
     plugins.build_params(plugins.load("ranking", request.design.method), request.design.method_params)
     request.siting.require()
     request.spread.require()
-    request.require_calendar()
+    request.require()
     request.weather.read()
     judging(request.fires, timed=True, timeless=request.timeless)
     named = {"ignitions": request.fires.ignitions, **request.stakes.layers}

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeVar
 
 import numpy as np
 
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.ground import Ground
     from firebreak_gis.simulation.ignitions import Ignitions
@@ -34,24 +35,31 @@ Goal = Literal["mean", "worst-tenth"]
 _RUNS = 300
 #: Shares of the ignitions that are moved to the starts of the worst tenth.
 _MOVED = (1.0, 0.5)
-#: How many plans are designed for each goal, of which the best is taken.
-N_DESIGNS = {"mean": 1, "worst-tenth": 1 + 2 * len(_MOVED)}
+#: How many plans are designed for the worst tenth, of which the best is taken.
+N_DESIGNS = 1 + 2 * len(_MOVED)
 
-#: Ranks the cells for stakes, and returns the ranking and the cells cut.
-Designer = Callable[[Stakes, Progress], "tuple[xr.DataArray, xr.DataArray]"]
+D = TypeVar("D", bound="Laid")
+
+
+class Laid(Protocol):
+    """Breaks of any kind."""
+
+    @property
+    def laid(self) -> xr.DataArray | LineBreaks | None:
+        """As fires meet them; None for none."""
 
 
 def for_worst_tenth(
     network: SpreadNetwork,
     stakes: Stakes,
-    design: Designer,
+    design: Callable[[Stakes, Progress], D],
     fires: FireRequest,
     ground: Ground,
     *,
     value: np.ndarray | None = None,
     threads: int | None = None,
     progress: Progress,
-) -> tuple[xr.DataArray, xr.DataArray]:
+) -> D:
     """Plan for the worst tenth of the fires.
 
     Parameters
@@ -71,8 +79,7 @@ def for_worst_tenth(
 
     Returns
     -------
-    tuple
-        Ranking and breaks.
+    The design of the least worst tenth.
     """
     from firebreak_gis.kernels.draws import seed_for
     from firebreak_gis.simulation.fires import burn, resolved
@@ -88,11 +95,11 @@ def for_worst_tenth(
         done += 1
         return part(progress, (done - 1) / steps, done / steps)
 
-    def lost(breaks: xr.DataArray) -> np.ndarray:
+    def lost(plan: D) -> np.ndarray:
         run = burn(
             ground.network,
             own,
-            breaks=breaks,
+            breaks=plan.laid,
             value=value,
             weather=ground.weather,
             barriers=ground.barriers,
@@ -102,13 +109,13 @@ def for_worst_tenth(
         return np.asarray(run["fire_size" if value is None else "value_lost"].to_numpy(), float)
 
     best = design(stakes, step())
-    losses = lost(best[1])
+    losses = lost(best)
     for _ in range(2):
         tail = tail_ignition(stakes, start, losses, network)
         for share in _MOVED:
             mixed = (1.0 - share) * stakes.ignition / stakes.ignition.sum() + share * tail
             plan = design(stakes.with_ignition(network, mixed), step())
-            found = lost(plan[1])
+            found = lost(plan)
             if worst_mean(found) < worst_mean(losses):
                 best, losses = plan, found
     return best

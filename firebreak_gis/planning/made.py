@@ -3,27 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import break_polygons
 from firebreak_gis.construction.compartments import compartments_of
-from firebreak_gis.construction.lines import line_polygons, line_segments
-from firebreak_gis.construction.segments import Segments, segments_of
+from firebreak_gis.construction.segments import Segments
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.measures import judge, resamples
-from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.landscape.sited import Sited
+from firebreak_gis.planning.burning import Burnt, fires_of
+from firebreak_gis.planning.designs import Design
 from firebreak_gis.planning.feasibility import Feasibility
 from firebreak_gis.planning.goals import goals_table
 from firebreak_gis.planning.judging import Judging, headline
 from firebreak_gis.planning.request import PlanRequest
-from firebreak_gis.planning.years import Losses, Years, over_years
+from firebreak_gis.planning.years import Years, over_years
+from firebreak_gis.progress import Progress, silent
 from firebreak_gis.schema import Shown, card
 from firebreak_gis.stakes import Stakes
 
@@ -33,9 +33,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
-    from firebreak_gis.construction.treating import Treated
     from firebreak_gis.network import SpreadNetwork
-    from firebreak_gis.planning.line_design import LineDesign
 
 
 @dataclass(frozen=True, repr=False)
@@ -50,31 +48,18 @@ class Plan(Shown):
         The spread network before cutting, existing barriers in it.
     stakes
         Costs, protected cells, values at risk and ignitions.
-    priority, breaks
-        (y, x): the ranking, and 1 where cut.
-    before, after
-        Burns of the same fires without and with the breaks, as `simulate` returns them.
-    evaluation
-        R(d_f) of the ranking and the baselines under these fires, as `evaluate` returns it; with a clock at a few
-        budgets.
-    paper
-        The same for fires that end by themselves and perfect breaks.
+    design
+        The breaks, see `designs.Design`.
+    before, after, objectives, paper, evaluation
+        What the fires take, see `burning.Burnt`.
     judged
         What the fires and the breaks were taken for, and what is assumed.
     request
         What was asked for.
-    share
-        Share of the cells with fuel that is cut.
     feasibility
         What could be reached.
     sited
         Lines of the ground that the breaks could follow.
-    treated
-        The segments, where each has a treatment, and what they leave; None where all cells are treated alike.
-    lines
-        The walls, where breaks are lines; `breaks` are then the cells that they pass.
-    objectives
-        By name, what each fire loses of single values at risk, without and with the breaks, (n_runs,) each.
     years
         What is built when, and what burns then; None where all is built at once.
     """
@@ -82,26 +67,56 @@ class Plan(Shown):
     landscape: xr.Dataset
     network: SpreadNetwork
     stakes: Stakes
-    priority: xr.DataArray
-    breaks: xr.DataArray
+    design: Design
     before: xr.Dataset
     after: xr.Dataset
-    evaluation: xr.Dataset
+    objectives: Mapping[str, tuple[np.ndarray, np.ndarray]]
     paper: xr.Dataset
+    evaluation: xr.Dataset
     judged: Judging
     request: PlanRequest
-    share: float
     feasibility: Feasibility
     sited: Sited
-    treated: Treated | None = None
-    objectives: Mapping[str, tuple[np.ndarray, np.ndarray]] = field(default_factory=dict)
-    lines: LineDesign | None = None
     years: Years | None = None
+
+    @classmethod
+    def of(cls, design: Design, judged: Judging, burnt: Burnt) -> Plan:
+        """The plan of a design, judged by what its fires took."""
+        setting = design.setting
+        return cls(
+            setting.landscape,
+            setting.network,
+            setting.stakes,
+            design,
+            burnt.before,
+            burnt.after,
+            burnt.objectives,
+            burnt.paper,
+            burnt.evaluation,
+            judged,
+            setting.request,
+            setting.found,
+            setting.sited,
+        )
+
+    @property
+    def priority(self) -> xr.DataArray:
+        """(y, x): the ranking."""
+        return self.design.priority
+
+    @property
+    def breaks(self) -> xr.DataArray:
+        """(y, x) uint8: 1 where cut, or passed by a line."""
+        return self.design.breaks
+
+    @property
+    def share(self) -> float:
+        """Share of the fuel that is cut."""
+        return self.design.share
 
     def facts(self) -> dict[str, object]:
         """Ranking, cut, saving and grid, as `repr` shows them."""
-        area = self.network.grid.cell_area_ha
-        cut = self._lines_built.get("ha_cut", int(np.count_nonzero(self.breaks.to_numpy() > 0)) * area)
+        area, cut = self.network.grid.cell_area_ha, self._figures["ha_cut"]
         before, after = (float(burns["fire_size"].mean()) * area for burns in (self.before, self.after))
         return {
             "ranking": self.request.design.method,
@@ -128,7 +143,7 @@ class Plan(Shown):
             title=self.title,
             budget=float(self.share),
             caption=" ".join(self.judged.assumptions),
-            lines=None if self.lines is None else self.walls,
+            lines=self.design.walls,
         )
 
     def explore(self, **options: Any) -> Any:
@@ -162,7 +177,7 @@ class Plan(Shown):
             "model": spread.model,
             "model_params": dict(spread.model_params),
             "width": design.width,
-            **({} if design.line_width is None else {"line_width": design.line_width}),
+            **self.design.parameters,
             "siting": self.sited.strength,
             "residual": fires.residual,
             "timeless": self.request.timeless,
@@ -176,40 +191,41 @@ class Plan(Shown):
             "seed": fires.seed,
         }
 
-    @cached_property
-    def laid(self) -> xr.DataArray | LineBreaks | None:
-        """The breaks as fires meet them: cells, or lines, or None if lines were asked and none is paid."""
-        return self.breaks if self.lines is None else self.lines.breaks(self.request.design.amount)
-
     @property
     def walls(self) -> gpd.GeoDataFrame:
         """Lines that are built, one row a wall in order; only where breaks are lines."""
-        if self.lines is None:
+        walls = self.design.walls
+        if walls is None:
             raise ParameterError("the breaks are cells, not lines; give line_width")
-        return self.lines.walls.iloc[: self.lines.bought(self.request.design.amount)]
+        return walls
 
-    def over_years(self, losses: Losses) -> Plan:
+    def over_years(self, *, progress: Progress = silent) -> Plan:
         """The same plan with its years, see `years.over_years`; itself where all is built at once."""
         asked = self.request.calendar
         if asked.years == 1:
             return self
+        fires, value = fires_of(self.design.setting, self.judged), self.design.setting.value
+
+        def taken(cut: np.ndarray) -> tuple[float, float]:
+            run = fires(cut if cut.any() else None, value, progress)
+            lost = np.nan if value is None else float(run["value_lost"].mean())
+            return float(run["fire_size"].mean()) * self.network.grid.cell_area_ha, lost
+
         years = over_years(
             asked,
             self._segments.polygons,
             self.landscape["vegetation"],
             self.network,
-            losses,
+            taken,
             budget=self.request.design.amount,
-            priced=self.stakes.priced or self.treated is not None,
+            priced=self.design.priced,
         )
         return replace(self, years=years)
 
     @property
     def polygons(self) -> gpd.GeoDataFrame:
         """Connected pieces of the breaks, see `break_polygons` and `lines.line_polygons`."""
-        if self.lines is not None:
-            return line_polygons(self.walls)
-        return break_polygons(self.breaks, self.priority)
+        return self.design.polygons
 
     @cached_property
     def segments(self) -> Segments:
@@ -219,31 +235,12 @@ class Plan(Shown):
 
     @cached_property
     def _segments(self) -> Segments:
-        if self.treated is not None:
-            return self.treated.segments
-        if self.lines is not None:
-            return line_segments(
-                self.network,
-                self.walls,
-                self.laid if isinstance(self.laid, LineBreaks) else None,
-                elevation=self.landscape["elevation"],
-                value=self.stakes.value,
-                ignition=self.stakes.ignition,
-            )
-        return segments_of(
-            self.network,
-            self.breaks,
-            priority=self.priority,
-            elevation=self.landscape["elevation"],
-            cost=self.stakes.cost,
-            value=self.stakes.value,
-            ignition=self.stakes.ignition,
-        )
+        return self.design.segments
 
     @cached_property
     def compartments(self) -> gpd.GeoDataFrame:
         """The fuel between the breaks and what it has to lose, see `compartments.compartments`."""
-        laid = np.zeros(self.network.shape, bool) if self.laid is None else self.laid
+        laid = np.zeros(self.network.shape, bool) if self.design.laid is None else self.design.laid
         return compartments_of(
             self.network, laid, value=self.stakes.value, ignition=self.stakes.ignition, burns=self.after
         )[1]
@@ -269,29 +266,11 @@ class Plan(Shown):
     @property
     def built(self) -> str:
         """What is built, in words."""
-        summary = self.summary
-        if self.lines is None:
-            return (
-                f"{summary['cells_cut']} of {summary['burnable_cells']} cells with fuel cut "
-                f"({summary['ha_cut']:,.1f} ha)"
-            )
-        return (
-            f"{summary['line_km']:,.1f} km of lines {self.request.design.line_width:g} m wide "
-            f"({summary['ha_cut']:,.1f} ha) in {summary['walls']} walls"
-        )
+        return self.design.told
 
-    @property
-    def _lines_built(self) -> dict[str, Any]:
-        """What lines take, in place of what their cells would."""
-        if self.lines is None:
-            return {}
-        walls = self.walls
-        return {
-            "ha_cut": round(float(walls["area_ha"].sum()), 4),
-            "cost": float(walls["cost"].sum()),
-            "line_km": round(float(walls["length_m"].sum()) / 1000.0, 4),
-            "walls": len(walls),
-        }
+    @cached_property
+    def _figures(self) -> dict[str, Any]:
+        return self.design.figures
 
     @property
     def fire_sizes(self) -> pd.DataFrame:
@@ -308,13 +287,6 @@ class Plan(Shown):
             columns[f"cells_{name}"] = cells
             columns[f"ha_{name}"] = np.round(cells * area, 6)
         return pd.DataFrame(columns)
-
-    @property
-    def _cost(self) -> float:
-        """What the plan costs at once: the treatments chosen, or what cutting its cells does."""
-        if self.treated is not None:
-            return float(self.treated.segments.polygons["treatment_cost"].sum())
-        return float(self.stakes.cost[self.breaks.to_numpy() > 0].sum())
 
     @property
     def cut_classes(self) -> dict[str, dict[str, dict[str, float]]]:
@@ -336,10 +308,7 @@ class Plan(Shown):
         figures: dict[str, Any] = {
             "burnable_cells": n_burnable,
             "burnable_ha": round(n_burnable * area, 4),
-            "cells_cut": int(np.count_nonzero(cut)),
-            "ha_cut": round(int(np.count_nonzero(cut)) * area, 4),
-            "cost": self._cost,
-            **self._lines_built,
+            **self._figures,
             "burnt_share_without_breaks": float(before.mean() / n_burnable),
             "burnt_share_with_breaks": float(after.mean() / n_burnable),
             "burnt_share_with_breaks_p90": float(np.percentile(after, 90) / n_burnable),

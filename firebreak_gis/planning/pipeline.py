@@ -3,55 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from firebreak_gis.breaks import Amount, Budget, BudgetUnit, select_breaks
-from firebreak_gis.construction.treatments import as_treatments, totals
-from firebreak_gis.evaluation.curves import ByBudget, evaluate_fires
+from firebreak_gis.breaks import Amount, BudgetUnit
+from firebreak_gis.construction.treatments import as_treatments
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.masks import mask_plane
 from firebreak_gis.landscape.sited import SitingRequest
-from firebreak_gis.landscape.target_grid import Account
-from firebreak_gis.placement.trial import Trial
-from firebreak_gis.planning.budgets import default_budgets, few_budgets, reachable
-from firebreak_gis.planning.design import design
-from firebreak_gis.planning.feasibility import Feasibility, feasibility, width_in_cells
-from firebreak_gis.planning.goals import N_DESIGNS, Goal, for_worst_tenth
-from firebreak_gis.planning.judging import Judging, Scene
-from firebreak_gis.planning.line_design import LineDesign, design_lines
+from firebreak_gis.planning.burning import USUAL, burnt_with, seconds_of
+from firebreak_gis.planning.designs import designed, rankings
+from firebreak_gis.planning.feasibility import Feasibility
+from firebreak_gis.planning.goals import Goal
 from firebreak_gis.planning.made import Plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
-from firebreak_gis.planning.timing import Estimate, fire_seconds, ranking_seconds
-from firebreak_gis.planning.treating import offers_of, priced, treat
+from firebreak_gis.planning.setting import settle
+from firebreak_gis.planning.timing import Estimate
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.planning.years import YearsRequest
-from firebreak_gis.progress import Progress, in_proportion, part
-from firebreak_gis.ranking import rank
+from firebreak_gis.progress import Progress, in_proportion, part, silent
 from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import as_embers
-from firebreak_gis.simulation.fires import burn, resolved
-from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import as_hold
-from firebreak_gis.simulation.ignitions import Ignitions
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode, Outside
 from firebreak_gis.simulation.stations import as_travel
-from firebreak_gis.stakes import StakePlanes, Stakes
+from firebreak_gis.stakes import StakePlanes
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray as xr
 
-    from firebreak_gis.landscape.lines import LineBreaks
-    from firebreak_gis.network import SpreadNetwork
-
     Plane = np.ndarray | xr.DataArray
-
-#: Rankings that every plan is judged against.
-BASELINES = ("random", "flammability")
 
 
 def plan(
@@ -157,7 +139,7 @@ def plan(
         Whether the breaks are improved by local search on simulated fires, see `placement.refinement.refine`.
     goal
         `"mean"`, or `"worst-tenth"`: what is to be small, the loss of the mean fire or that of the worst tenth, see
-        `goals.for_worst_tenth`. `Plan.goals` tells what the plan does for both, in hectares and values.
+        `planning.goals`. `Plan.goals` tells what the plan does for both, in hectares and values.
     line_width
         Width of breaks that are lines in place of whole cells [m], which the method `dissection` then plans; the budget
         counts length times width.
@@ -235,7 +217,7 @@ def make_plan(
     foreseen: Callable[[Estimate], None] | None = None,
     progress: Progress | None = None,
 ) -> Plan:
-    """Make the plan of a request.
+    """Make the plan of a request: settled, designed, burnt, judged.
 
     Parameters
     ----------
@@ -250,197 +232,17 @@ def make_plan(
     foreseen
         Told, before the ranking, how long all will take; without it nobody looks.
     """
-    asked, fires = request.design, request.fires
-    asked.require_lines()
-    account = Account()
-    request.require_one_residual()
-    request.require_calendar()
-    scene = Scene.of(landscape, request.spread, request.weather.read(), account)
-    landscape = account.added_to(landscape)
-    sited = request.siting.on(planes, scene.network, landscape["elevation"].to_numpy())
-    planes = sited.planes
-    offers = None if asked.treatments is None else offers_of(landscape, asked.treatments, scene.network)
-    leak = fires.leak if offers is None else offers.residual
-    network, stakes = (planes if offers is None else priced(planes, offers, asked.amount)).on(scene.network)
-    if planes.ignition is not None and fires.ignitions is None:
-        fires = replace(fires, ignitions=stakes.ignition)
-    judged = scene.judging(fires, timeless=request.timeless)
-    judged = replace(judged, sited=sited.told)
-    starts: list[Ignitions] = []
-
-    def start() -> Ignitions:
-        starts.append(resolved(network, fires))
-        return starts[0]
-
-    # What cannot be is refused now, not after the ranking.
-    found = feasibility(
-        network,
-        stakes,
-        budget=asked.amount,
-        width=asked.width,
-        residual=leak,
-        refine=asked.refine,
-        line_width=asked.line_width,
-        ignitions=start,
-    )
-    found.require()
-    found = replace(found, account=(*found.account, *sited.account), warnings=(*found.warnings, *judged.notes))
-    asked_fires, fires = judged.fires, replace(judged.fires, ignitions=starts[0])
-    judged = replace(judged, fires=fires)
+    request.require()
+    report = progress or silent
+    setting = settle(landscape, request, planes, threads=threads)
     if checked is not None:
-        checked(found)
-    ground = scene.ground(judged, network, planes.barriers)
-    others = [name for name in BASELINES if name != asked.method]
-    about: dict[str, Any] = {
-        "budget": asked.amount,
-        "residual": leak,
-        "refine": asked.refine,
-        "width": width_in_cells(asked.width, network.grid.cell_size),
-        "params": asked.method_params,
-        "elevation": landscape["elevation"].to_numpy(),
-        "roads": planes.followed(network),
-        "seed": fires.seed,
-    }
-
-    def designed(placed: Stakes, step: Progress) -> tuple[xr.DataArray, xr.DataArray]:
-        trial = Trial(ground, fires, placed, fires.seed, threads) if judged.clock else None
-        priority = design(network, asked.method, stakes=placed, **about, trial=trial, progress=step)
-        return priority, select_breaks(priority, budget=asked.amount, burnable=network.burnable, cost=stakes.cost)
-
-    value = None if planes.value is None else stakes.value
-    seconds = _USUAL
+        checked(setting.found)
+    seconds = USUAL
     if foreseen is not None:
-        ranked = ranking_seconds(network, asked.method, stakes=stakes, **about) * N_DESIGNS[asked.goal]
-        seconds = _foreseen(ranked, ground, network, judged, 1 + len(others), value, threads)
+        seconds = seconds_of(setting, rankings(request.design))
         foreseen(Estimate(seconds))
     spans = dict(zip(seconds, in_proportion(list(seconds.values()), 0.02, 1.0), strict=True))
-    ranking = part(progress, *spans["ranking"], f"rank by {asked.method}: ")
-    lines: LineDesign | None = None
-    if asked.line_width is not None:
-        lines = design_lines(
-            network,
-            stakes=stakes,
-            budget=asked.amount,
-            width=asked.line_width,
-            params=asked.method_params,
-            threads=threads,
-            progress=ranking,
-        )
-        priority, breaks = lines.priority, lines.passed(asked.amount)
-    elif asked.goal == "mean":
-        priority, breaks = designed(stakes, ranking)
-    else:
-        priority, breaks = for_worst_tenth(
-            network,
-            stakes,
-            designed,
-            replace(asked_fires, residual=leak),
-            ground,
-            value=value,
-            threads=threads,
-            progress=ranking,
-        )
-    laid: xr.DataArray | LineBreaks | None = lines.breaks(asked.amount) if lines else breaks
-    treated = None if offers is None else treat(offers, network, stakes, breaks, priority, asked.amount)
-    if treated is not None:
-        fires = replace(fires, residual=treated.residual)
-        done = totals(treated.segments.polygons)
-        judged = replace(judged, fires=fires, hectares={name: row["area_ha"] for name, row in done.items()})
-    burnt = partial(
-        burn,
-        ground.network,
-        fires,
-        weather=ground.weather,
-        barriers=ground.barriers,
-        threads=threads,
-    )
-    first, last = spans["fires"]
-    half = (first + last) / 2
-    before = burnt(value=value, progress=part(progress, first, half, "without breaks: "))
-    after = burnt(value=value, breaks=laid, progress=part(progress, half, last, "with breaks: "))
-
-    def lost(plane: Plane, name: str) -> tuple[np.ndarray, np.ndarray]:
-        of = partial(burnt, value=network.plane(plane, name), progress=part(progress, last, last))
-        return of()["value_lost"].to_numpy(), of(breaks=laid)["value_lost"].to_numpy()
-
-    objectives = {name: lost(plane, name) for name, plane in planes.objectives.items()}
-    baselines = {name: rank(network, name, stakes=stakes, seed=fires.seed) for name in others}
-    cut = lines.share(asked.amount) if lines else breaks.attrs["cells_cut"] / max(network.n_burnable, 1)
-    share = asked.amount.amount if asked.amount.unit == "share" else cut
-    rankings = {asked.method: ByBudget(lambda b: lines.breaks(Budget(b))) if lines else priority, **baselines}
-    many, few = (
-        few_budgets(share) if lines else reachable(each(share), priority, network)
-        for each in (default_budgets, few_budgets)
-    )
-    paper = evaluate_fires(
-        network,
-        rankings,
-        judged.paper,
-        budgets=many,
-        threads=threads,
-        progress=part(progress, *spans["curve without a clock"], "evaluate "),
-    )
-    evaluation = paper
-    if judged.reburnt:
-        evaluation = evaluate_fires(
-            network,
-            rankings,
-            fires,
-            budgets=few,
-            ground=ground,
-            threads=threads,
-            progress=part(progress, *spans["curve"], "evaluate with a clock: "),
-        )
-    made = Plan(
-        landscape,
-        network,
-        stakes,
-        priority,
-        breaks,
-        before,
-        after,
-        evaluation,
-        paper,
-        judged,
-        request,
-        share,
-        found,
-        sited,
-        treated,
-        objectives,
-        lines,
-    )
-
-    def taken(cut: np.ndarray) -> tuple[float, float]:
-        run = burnt(value=value, breaks=cut if cut.any() else None, progress=part(progress, 1.0, 1.0, "years: "))
-        lost = np.nan if value is None else float(run["value_lost"].mean())
-        return float(run["fire_size"].mean()) * network.grid.cell_area_ha, lost
-
-    return made.over_years(taken)
-
-
-#: Shares of the time that the steps take where nobody looks.
-_USUAL: Mapping[str, float] = {"ranking": 6.0, "fires": 5.0, "curve without a clock": 4.0, "curve": 4.0}
-
-
-def _foreseen(
-    ranking: float,
-    ground: Ground,
-    network: SpreadNetwork,
-    judged: Judging,
-    rankings: int,
-    value: np.ndarray | None,
-    threads: int | None,
-) -> dict[str, float]:
-    """Seconds of each step of a plan, the curves under so many rankings among them."""
-    n_runs, levels = judged.fires.n_runs, few_budgets(0.1).size * judged.reburnt
-    passes = 2 + rankings * levels
-    paper = fire_seconds(Ground(network), judged.paper, passes=rankings, threads=threads)
-    # A pass of a curve draws for all levels at once; breaks make fires smaller, which is left out.
-    each = fire_seconds(ground, judged.fires, passes=passes, value=value, threads=threads) if judged.reburnt else paper
-    return {
-        "ranking": ranking,
-        "fires": 2 * n_runs * each,
-        "curve without a clock": rankings * n_runs * paper,
-        "curve": rankings * levels * n_runs * each,
-    }
+    design = designed(setting, part(report, *spans["ranking"], f"rank by {request.design.method}: "))
+    judged = design.under(setting.judged)
+    burnt = burnt_with(design, judged, spans, report)
+    return Plan.of(design, judged, burnt).over_years(progress=part(report, 1.0, 1.0, "years: "))

@@ -15,13 +15,11 @@ from typing import Any
 
 from firebreak_gis.breaks import Amount, Budget, BudgetUnit
 from firebreak_gis.construction.treatments import Treatments
-from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.planning.goals import Goal
-from firebreak_gis.planning.line_design import line_params
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.planning.years import YearsRequest
 from firebreak_gis.simulation.request import FireRequest
@@ -68,28 +66,6 @@ class DesignRequest:
         """How much may be cut."""
         return Budget.of(self.budget, self.budget_unit)
 
-    def require_lines(self) -> None:
-        """Refuse what breaks that are lines cannot have.
-
-        Raises
-        ------
-        ParameterError
-            Naming all of it.
-        """
-        if self.line_width is None:
-            return
-        refused = [f"--method {self.method}"] if self.method != "dissection" else []
-        refused += ["--width"] if self.width is not None else []
-        refused += ["--refine"] if self.refine else []
-        refused += ["--goal"] if self.goal != "mean" else []
-        refused += ["--treatments"] if self.treatments is not None else []
-        if refused:
-            raise ParameterError(
-                f"--line-width plans lines by dissection, which {', '.join(refused)} cannot change; leave "
-                f"{'it' if len(refused) == 1 else 'them'} out, or the width of lines"
-            )
-        line_params(self.method_params)
-
 
 @dataclass(frozen=True)
 class PlanRequest:
@@ -124,28 +100,18 @@ class PlanRequest:
     layers: LandscapeRequest | None = None
     output: OutputRequest | None = None
 
-    def require_calendar(self) -> None:
-        """Refuse years that cannot be, or that these breaks cannot have.
+    def require(self) -> None:
+        """Refuse years that cannot be, and what the kind of design cannot be asked for beside, see `designs.require`.
 
         Raises
         ------
         ParameterError
             Naming what is wrong.
         """
+        from firebreak_gis.planning.designs import require
+
+        require(self)
         self.calendar.require()
-        if self.calendar.years > 1 and self.design.line_width is not None:
-            raise ParameterError("--years schedules breaks of whole cells; leave --years or --line-width out")
-
-    def require_one_residual(self) -> None:
-        """Refuse a residual beside a table of treatments.
-
-        Raises
-        ------
-        ParameterError
-            If both are asked.
-        """
-        if self.design.treatments is not None and self.fires.leaks:
-            raise ParameterError("the table of treatments tells what treated cells keep; leave --residual out")
 
     @property
     def sources(self) -> tuple[str, ...]:

@@ -211,7 +211,7 @@ def test_a_plan_burns_with_the_treatments_that_it_chose(sample):
     again = fb.simulate(
         fb.spread_network(sample, clock=True),
         breaks=made.breaks,
-        residual=made.treated.residual,
+        residual=made.design.treated.residual,
         hold=made.judged.fires.hold,
         duration=made.judged.fires.duration,
         n_runs=30,

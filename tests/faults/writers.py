@@ -112,18 +112,11 @@ def _book(folder, variant, overwrite):
 
 
 def _account(folder, variant, overwrite):
-    from firebreak_gis.manifest import write_manifest
+    from firebreak_gis.files.outputs import Writing
+    from firebreak_gis.manifest import account
 
-    parameters = {"seed": variant}
-    write_manifest(
-        folder / "run.json",
-        command="rank",
-        parameters=parameters,
-        inputs=[],
-        outputs=[],
-        account={},
-        overwrite=overwrite,
-    )
+    how = Writing(overwrite, parameters={"seed": variant})
+    account("rank", lambda result: result).write({}, folder / "run.json", how)
 
 
 def _raster(folder, variant, overwrite):

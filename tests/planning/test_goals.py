@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -40,7 +41,8 @@ def two_islands():
 def designer(network, n_cells):
     def design(stakes, progress):
         priority = rank(network, "dissection", stakes=stakes)
-        return priority, select_breaks(priority, budget=n_cells / network.n_burnable, burnable=network.burnable)
+        breaks = select_breaks(priority, budget=n_cells / network.n_burnable, burnable=network.burnable)
+        return SimpleNamespace(laid=breaks)
 
     return design
 
@@ -49,8 +51,8 @@ def test_a_plan_for_the_worst_tenth_cuts_where_large_fires_start():
     network, stakes = two_islands()
     fires = FireRequest(ignitions=stakes.ignition, n_runs=200, seed=4)
     design = designer(network, 22)
-    _, mean = design(stakes, silent)
-    _, worst = for_worst_tenth(network, stakes, design, fires, Ground(network), progress=silent)
+    mean = design(stakes, silent).laid
+    worst = for_worst_tenth(network, stakes, design, fires, Ground(network), progress=silent).laid
     fresh = FireRequest(ignitions=stakes.ignition, n_runs=400, seed=9)
     lost = [burn(network, fresh, breaks=cut)["fire_size"].to_numpy() for cut in (mean, worst)]
     assert int(worst.sum()) == int(mean.sum()) == 22

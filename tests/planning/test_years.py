@@ -81,7 +81,7 @@ def test_what_cannot_be_is_refused():
     with pytest.raises(ParameterError, match="needs the number of years"):
         YearsRequest(budget_per_year=Budget(0.01)).require()
     with pytest.raises(ParameterError, match="whole cells"):
-        PlanRequest(DesignRequest(line_width=5.0), calendar=YearsRequest(years=2)).require_calendar()
+        PlanRequest(DesignRequest(line_width=5.0), calendar=YearsRequest(years=2)).require()
     for wrong in ({"discount": -0.1}, {"fires_per_year": -1.0}, {"upkeep_cost": 2.0}):
         with pytest.raises(ParameterError, match="expected a number"):
             YearsRequest(years=2, **wrong).require()

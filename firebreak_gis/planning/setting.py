@@ -1,0 +1,143 @@
+"""What a plan is made in: scene, stakes, fires, and what can be reached, settled before the design."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.planning.feasibility import feasibility, width_in_cells
+from firebreak_gis.planning.judging import Judging, Scene
+from firebreak_gis.planning.treating import offers_of, priced
+from firebreak_gis.simulation.fires import resolved
+from firebreak_gis.simulation.ignitions import Ignitions
+
+if TYPE_CHECKING:
+    import numpy as np
+    import xarray as xr
+
+    from firebreak_gis.construction.treating import Offers
+    from firebreak_gis.landscape.sited import Sited
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.planning.feasibility import Feasibility
+    from firebreak_gis.planning.request import PlanRequest
+    from firebreak_gis.simulation.ground import Ground
+    from firebreak_gis.stakes import StakePlanes, Stakes
+
+
+@dataclass(frozen=True, eq=False)
+class Setting:
+    """All that a design is told.
+
+    Parameters
+    ----------
+    request
+        What is asked.
+    landscape
+        `elevation`, `vegetation`, `density`, `burnable` (y, x).
+    network
+        What is designed on, existing barriers in it.
+    planes, stakes
+        What a planner adds, and what that comes to on this network.
+    sited
+        Lines of the ground that breaks can follow.
+    offers
+        What each treatment would leave and cost in each cell; None where all cells are treated alike.
+    judged
+        The fires that judge the plan, with where each starts.
+    start
+        Where they start as it was asked, of which other fires can be drawn.
+    ground
+        Where they burn.
+    found
+        What can be reached.
+    threads
+        Threads to use; None: all.
+    """
+
+    request: PlanRequest
+    landscape: xr.Dataset
+    network: SpreadNetwork
+    planes: StakePlanes
+    stakes: Stakes
+    sited: Sited
+    offers: Offers | None
+    judged: Judging
+    start: Any
+    ground: Ground
+    found: Feasibility
+    threads: int | None = None
+
+    @property
+    def leak(self) -> float:
+        """Share of its spread probability that a treated cell keeps, as designs are told it."""
+        return self.judged.fires.leak if self.offers is None else self.offers.residual
+
+    @property
+    def value(self) -> np.ndarray | None:
+        """(rows, cols) lost where a cell burns; None where nothing is at stake but its area."""
+        return None if self.planes.value is None else self.stakes.value
+
+    @property
+    def about(self) -> dict[str, Any]:
+        """What `design.design` is told beside the network, the method and the stakes."""
+        asked = self.request.design
+        return {
+            "budget": asked.amount,
+            "residual": self.leak,
+            "refine": asked.refine,
+            "width": width_in_cells(asked.width, self.network.grid.cell_size),
+            "params": asked.method_params,
+            "elevation": self.landscape["elevation"].to_numpy(),
+            "roads": self.planes.followed(self.network),
+            "seed": self.judged.fires.seed,
+        }
+
+
+def settle(landscape: xr.Dataset, request: PlanRequest, planes: StakePlanes, *, threads: int | None = None) -> Setting:
+    """Settle what a plan is made in, and refuse what cannot be.
+
+    Parameters
+    ----------
+    landscape, request, planes, threads
+        As in `pipeline.make_plan`.
+
+    Raises
+    ------
+    ParameterError, InputError
+        Naming everything that stands in the way, before the ranking.
+    """
+    asked, fires = request.design, request.fires
+    account = Account()
+    scene = Scene.of(landscape, request.spread, request.weather.read(), account)
+    landscape = account.added_to(landscape)
+    sited = request.siting.on(planes, scene.network, landscape["elevation"].to_numpy())
+    planes = sited.planes
+    offers = None if asked.treatments is None else offers_of(landscape, asked.treatments, scene.network)
+    network, stakes = (planes if offers is None else priced(planes, offers, asked.amount)).on(scene.network)
+    if planes.ignition is not None and fires.ignitions is None:
+        fires = replace(fires, ignitions=stakes.ignition)
+    judged = replace(scene.judging(fires, timeless=request.timeless), sited=sited.told)
+    starts: list[Ignitions] = []
+
+    def start() -> Ignitions:
+        starts.append(resolved(network, fires))
+        return starts[0]
+
+    found = feasibility(
+        network,
+        stakes,
+        budget=asked.amount,
+        width=asked.width,
+        residual=fires.leak if offers is None else offers.residual,
+        refine=asked.refine,
+        line_width=asked.line_width,
+        ignitions=start,
+    )
+    found.require()
+    found = replace(found, account=(*found.account, *sited.account), warnings=(*found.warnings, *judged.notes))
+    judged = replace(judged, fires=replace(judged.fires, ignitions=starts[0]))
+    ground = scene.ground(judged, network, planes.barriers)
+    return Setting(
+        request, landscape, network, planes, stakes, sited, offers, judged, fires.ignitions, ground, found, threads
+    )
