@@ -53,6 +53,8 @@ class Outlines:
         Of lines and outlines.
     shown
         Whether they are shown at first.
+    legend
+        Colours and their texts, if there are several.
     """
 
     key: str
@@ -60,6 +62,7 @@ class Outlines:
     features: Sequence[Mapping[str, Any]]
     colour: str = "#1f4fd8"
     shown: bool = False
+    legend: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -174,7 +177,14 @@ class Page:
                 for p in self.pictures
             ],
             "outlines": [
-                {"key": o.key, "label": o.label, "features": list(o.features), "colour": o.colour, "shown": o.shown}
+                {
+                    "key": o.key,
+                    "label": o.label,
+                    "features": list(o.features),
+                    "colour": o.colour,
+                    "shown": o.shown,
+                    "legend": [list(entry) for entry in o.legend],
+                }
                 for o in self.outlines
             ],
         }

@@ -2,6 +2,8 @@
 (function () {
   const data = JSON.parse(document.getElementById("data").textContent);
   const features = new Map();
+  // Of the map on paper: fits A4 and Letter upright.
+  const SHEET = 670, SHEET_HEIGHT = 440;
   let map = null;
   let chosen = null;
 
@@ -133,8 +135,12 @@
       const input = element("input", null, { type: "checkbox", name: group.key, id: "layer-" + group.key });
       input.checked = group.shown;
       label.append(input, " " + group.label);
-      over.append(label);
-      const follow = () => { if (input.checked) map.addLayer(layer); else map.removeLayer(layer); };
+      const key = legend(group.legend);
+      over.append(label, key);
+      const follow = () => {
+        if (input.checked) map.addLayer(layer); else map.removeLayer(layer);
+        key.hidden = !input.checked;
+      };
       input.addEventListener("change", follow);
       follow();
     });
@@ -150,7 +156,21 @@
     slider.addEventListener("input", divide);
     map.on("move zoom resize viewreset", divide);
     divide();
-    window.addEventListener("beforeprint", () => { map.invalidateSize(); map.fitBounds(bounds); });
+    // The sheet has another width than the window, and the map does not follow by itself.
+    let seen = null;
+    window.addEventListener("beforeprint", () => {
+      seen = [map.getCenter(), map.getZoom()];
+      map.getContainer().style.width = SHEET + "px";
+      map.getContainer().style.height = SHEET_HEIGHT + "px";
+      map.invalidateSize(false);
+      map.fitBounds(bounds);
+      divide();
+    });
+    window.addEventListener("afterprint", () => {
+      map.getContainer().style.width = map.getContainer().style.height = "";
+      map.invalidateSize(false);
+      map.setView(...seen);
+    });
   }
 
   function sortable(table) {

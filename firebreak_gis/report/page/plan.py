@@ -210,14 +210,36 @@ def _outlines(parts: Mapping[str, Any], origin: tuple[float, float]) -> tuple[Ou
         cards = [
             {
                 "number": k,
-                "colour": _STAGE_COLOURS[min(4, 5 * (int(row["stage"]) - 1) // stages)],
+                "colour": _STAGE_COLOURS[_stage_class(int(row["stage"]), stages)],
                 "card": _card(row, _SEGMENT),
             }
             for k, row in enumerate(frame.to_dict("records"))
         ]
         features = pictures.outlines(frame, origin, cards)
-        shown.append(Outlines("segments", "Segments to build, dark first", features, shown=True))
+        shown.append(Outlines("segments", "Segments to build", features, shown=True, legend=_stage_legend(stages)))
     return tuple(shown)
+
+
+def _stage_class(stage: int, stages: int) -> int:
+    """Which fifth of the stages a stage belongs to, from 0; the same for the map and its legend."""
+    return min(4, 5 * (stage - 1) // stages)
+
+
+def _stage_legend(stages: int) -> tuple[tuple[str, str], ...]:
+    """A colour and its stages, first ones first.
+
+    Examples
+    --------
+    >>> _stage_legend(7)[:2]
+    (('#7a0177', 'stages 1 to 2'), ('#c51b8a', 'stage 3'))
+    """
+    entries = []
+    for k, colour in enumerate(_STAGE_COLOURS):
+        own = [stage for stage in range(1, stages + 1) if _stage_class(stage, stages) == k]
+        if own:
+            text = f"stage {own[0]}" if len(own) == 1 else f"stages {own[0]} to {own[-1]}"
+            entries.append((colour, text))
+    return tuple(entries)
 
 
 #: Column, its name, the digits behind the point and the unit, of what a card and the table show.
