@@ -7,11 +7,11 @@ that hold them print.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from html import escape
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from firebreak_gis.errors import InputError
 from firebreak_gis.lattice import DIRECTIONS
 
 if TYPE_CHECKING:
+    import geopandas as gpd
     import xarray as xr
 
 #: Classes of `vegetation`; 0 holds no fuel.
@@ -258,8 +259,33 @@ def annotate(data: xr.DataArray) -> xr.DataArray:
     return data.assign_attrs(attrs)
 
 
+class MapLayer(NamedTuple):
+    """Lines or outlines of a result, as pictures and maps of it show them.
+
+    Attributes
+    ----------
+    title
+        What it is.
+    frame
+        One row a feature.
+    column
+        Column by which features are coloured, or None.
+    legend
+        What the column tells, with its unit.
+    """
+
+    title: str
+    frame: gpd.GeoDataFrame
+    column: str | None = None
+    legend: str = ""
+
+
 class Shown:
-    """Prints as one line, and in a notebook as a small table: `facts` says what of it."""
+    """Prints as one line, and in a notebook as a small table: `facts` says what of it, `layers` what lies on a map."""
+
+    def layers(self) -> Sequence[MapLayer]:
+        """Lines and outlines, the lowest first; most things have none."""
+        return ()
 
     def facts(self) -> Mapping[str, object]:
         """What matters, by name, as short text."""

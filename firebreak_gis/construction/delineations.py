@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import outlines
 from firebreak_gis.placement.dissection import dissect
 from firebreak_gis.progress import Progress, part, silent
-from firebreak_gis.schema import VEGETATION
+from firebreak_gis.schema import VEGETATION, MapLayer, Shown
 from firebreak_gis.stakes import Stakes
 
 if TYPE_CHECKING:
@@ -40,10 +40,11 @@ _REACH = 200.0
 _ON = 0.5
 
 
-class Delineation(NamedTuple):
+@dataclass(frozen=True, repr=False, eq=False)
+class Delineation(Shown):
     """Compartments and their borders.
 
-    Attributes
+    Parameters
     ----------
     labels
         `compartment` (y, x) int32: numbers from 1, from north to south; 0 on ground without fuel far from any.
@@ -59,6 +60,29 @@ class Delineation(NamedTuple):
     labels: xr.DataArray
     pods: gpd.GeoDataFrame
     borders: gpd.GeoDataFrame
+
+    def facts(self) -> dict[str, object]:
+        """How many, how large and how well bounded, as `repr` and notebooks show them."""
+        fuel, length = self.pods["fuel_ha"], self.borders["length_m"]
+        return {
+            "compartments": len(fuel),
+            "fuel of each": f"{fuel.min():,.4g} to {fuel.max():,.4g} ha",
+            "borders": f"{length.sum() / 1000:,.4g} km",
+            "mean suitability": f"{self.suitability:.2f}",
+        }
+
+    @property
+    def suitability(self) -> float:
+        """Mean along all borders, 0 to 1; 0 without any."""
+        length = self.borders["length_m"]
+        return float((length * self.borders["suitability"]).sum() / max(float(length.sum()), 1e-9))
+
+    def layers(self) -> tuple[MapLayer, ...]:
+        """Compartments by what burns of them, borders by how well they can be held."""
+        return (
+            MapLayer(f"{len(self.pods)} compartments", self.pods, "burnt_ha", "burnt in the mean fire [ha]"),
+            MapLayer("Borders of the compartments", self.borders, "suitability", "suitability of the border"),
+        )
 
 
 def delineate(

@@ -12,7 +12,7 @@ from firebreak_gis.construction.compartments import Compartments, split, weights
 from firebreak_gis.construction.sequence import construction_order, gains
 from firebreak_gis.grid import outlines
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
-from firebreak_gis.schema import card, one_line
+from firebreak_gis.schema import MapLayer, card, one_line
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -47,6 +47,15 @@ class Segments(NamedTuple):
             "length": f"{table['length_m'].sum() / 1000:,.4g} km",
             "area": f"{table['area_ha'].sum():,.4g} ha",
         }
+
+    def layers(self) -> tuple[MapLayer, ...]:
+        """Outlines by stage, middle lines over them."""
+        table = self.polygons
+        title = f"Segments, {len(table)} in {table['stage'].nunique()} stages"
+        return (
+            MapLayer(title, table, "stage", "stage of construction"),
+            MapLayer("Middle lines of the segments", self.lines),
+        )
 
     def __repr__(self) -> str:
         return one_line("Segments", self.facts())

@@ -8,7 +8,8 @@ its cells, turned and moved at random, alone on the landscape. It tells what any
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.evaluation.gaps import find_gaps
 from firebreak_gis.evaluation.measures import BOUNDS, resamples
 from firebreak_gis.progress import Progress, part, silent
+from firebreak_gis.schema import MapLayer, Shown
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -29,10 +31,11 @@ Burner = Callable[[np.ndarray, Progress], np.ndarray]
 _ON_FUEL, _TRIES = 0.9, 60
 
 
-class Assessment(NamedTuple):
+@dataclass(frozen=True, repr=False, eq=False)
+class Assessment(Shown):
     """Breaks and gaps, best first.
 
-    Attributes
+    Parameters
     ----------
     breaks
         One row a break: `rank`, `number` (in the order of the source, from 1), `length_m`, `cells` (with fuel),
@@ -54,6 +57,22 @@ class Assessment(NamedTuple):
     burnt_ha: float
     burnt_bare_ha: float
     left_out: int
+
+    def facts(self) -> dict[str, object]:
+        """What stands, what it saves and what is missing, as `repr` and notebooks show them."""
+        return {
+            "breaks": len(self.breaks),
+            "gaps": len(self.gaps),
+            "mean fire": f"{self.burnt_bare_ha:,.4g} ha without, {self.burnt_ha:,.4g} ha with the breaks",
+            "worth most": f"break {self.breaks['number'].iloc[0]}, {self.breaks['worth_ha'].iloc[0]:,.3g} ha",
+        }
+
+    def layers(self) -> tuple[MapLayer, ...]:
+        """Breaks by what each is worth, gaps by what closing them saves."""
+        return (
+            MapLayer(f"{len(self.breaks)} breaks", self.breaks, "worth_ha", "worth beside all others [ha]"),
+            MapLayer("Gaps between them", self.gaps, "saved_per_km", "saved if closed [ha/km]"),
+        )
 
 
 def assess(

@@ -10,6 +10,7 @@ import numpy as np
 from firebreak_gis.landscape.footprints import close_corners, footprints
 from firebreak_gis.landscape.masks import mask_plane
 from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.schema import MapLayer, Shown
 from firebreak_gis.vectors import is_vector, read_features
 
 if TYPE_CHECKING:
@@ -19,8 +20,8 @@ if TYPE_CHECKING:
     from firebreak_gis.landscape.planes import Source
 
 
-@dataclass(frozen=True, eq=False)
-class Existing:
+@dataclass(frozen=True, repr=False, eq=False)
+class Existing(Shown):
     """Breaks that stand.
 
     Parameters
@@ -39,6 +40,15 @@ class Existing:
 
     def __len__(self) -> int:
         return len(self.cells)
+
+    def facts(self) -> dict[str, object]:
+        """How many and how long, as `repr` and notebooks show them."""
+        taken = np.unique(np.concatenate(self.cells)).size if self.cells else 0
+        return {"breaks": len(self), "length": f"{self.lengths.sum() / 1000:,.4g} km", "cells": f"{taken:,}"}
+
+    def layers(self) -> tuple[MapLayer, ...]:
+        """The breaks as they are drawn."""
+        return (MapLayer(f"{len(self)} existing breaks", self.frame),)
 
     @property
     def lengths(self) -> np.ndarray:

@@ -6,17 +6,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.construction.segments import Segments
 from firebreak_gis.errors import InputError, MissingComponentError
 from firebreak_gis.network import SpreadNetwork
-from firebreak_gis.report.plotting import plane_of
+from firebreak_gis.report.plotting import map_layers, plane_of
 from firebreak_gis.schema import Shown
 
 if TYPE_CHECKING:
     import folium
-    import geopandas as gpd
 
     from firebreak_gis.grid import Grid
+    from firebreak_gis.schema import MapLayer
 
 #: Web maps are drawn in this projection, so a raster laid between two corners fits only if it is in it.
 _WEB = "EPSG:3857"
@@ -29,8 +28,9 @@ def explore(thing: Any, **options: Any) -> folium.Map:
     Parameters
     ----------
     thing
-        A plan; segments (polygons and lines, by stage); any GeoDataFrame, such as compartments; a `SpreadNetwork` (mean
-        probability of spread), a raster (y, x), or burns as `simulate` returns them.
+        A plan; segments (polygons and lines, by stage); existing breaks, and what `assess` and `delineate` return; any
+        GeoDataFrame, such as compartments; a `SpreadNetwork` (mean probability of spread), a raster (y, x), or burns as
+        `simulate` returns them.
     **options
         Handed to `geopandas.GeoDataFrame.explore` for vectors, such as `column`, `cmap`, `tiles`, `m`. For rasters `m`,
         a map to draw on, and `name`, that of the layer, count.
@@ -63,10 +63,8 @@ def explore(thing: Any, **options: Any) -> folium.Map:
     if isinstance(thing, Shown) and hasattr(thing, "explore"):
         found: folium.Map = thing.explore(**options)
         return found
-    if isinstance(thing, Segments):
-        return _segments(thing, options)
-    if hasattr(thing, "geometry"):
-        return _vector(thing, options)
+    if layers := map_layers(thing):
+        return _vectors(layers, options)
     return _raster(thing, **options)
 
 
@@ -75,22 +73,29 @@ def explore_plan(plan: Any, **options: Any) -> folium.Map:
     folium = _require_folium()
     found = _raster(plan.before, name="Burn frequency without breaks", **options)
     _raster(plan.after, name="Burn frequency with the breaks", m=found)
-    _vector(plan.compartments, {"m": found, "name": "Compartments", "show": False, "style_kwds": {"fill": False}})
-    _segments(plan.segments, {"m": found})
+    compartments = map_layers(plan.compartments)
+    _vectors(compartments, {"m": found, "name": "Compartments", "show": False, "style_kwds": {"fill": False}})
+    _vectors(plan.segments.layers(), {"m": found})
     folium.LayerControl(collapsed=False).add_to(found)
     return found
 
 
-def _segments(segments: Segments, options: dict[str, Any]) -> folium.Map:
-    usual = {"column": "stage", "cmap": "viridis", "name": "Segments", "legend": True, **options}
-    found = _vector(segments.polygons, usual)
-    return _vector(segments.lines, {"m": found, "name": "Middle lines of the segments", "color": "black"})
+def _vectors(layers: tuple[MapLayer, ...], options: dict[str, Any]) -> folium.Map:
+    """Layers over each other; the options are those of the lowest."""
+    found = _vector(layers[0], options)
+    for layer in layers[1:]:
+        if len(layer.frame):
+            _vector(layer, {"m": found})
+    return found
 
 
-def _vector(frame: gpd.GeoDataFrame, options: dict[str, Any]) -> folium.Map:
+def _vector(layer: MapLayer, options: dict[str, Any]) -> folium.Map:
+    frame = layer.frame
     if frame.crs is None:
         raise InputError("the table has no coordinate system, so it lies nowhere on a map; set it: table.set_crs(...)")
-    shown: folium.Map = frame.explore(**options)
+    known = layer.column is not None and frame[layer.column].notna().any()
+    coloured = {"column": layer.column, "cmap": "viridis", "legend_kwds": {"caption": layer.legend}} if known else {}
+    shown: folium.Map = frame.explore(**{"name": layer.title, **coloured, **options})
     return shown
 
 

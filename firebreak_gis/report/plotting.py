@@ -6,14 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.construction.segments import Segments
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.report.comparison import comparison_figure
 from firebreak_gis.report.curve import curve_figure
 from firebreak_gis.report.figures import draw_breaks, map_axes, new_figure, own_looks, show
-from firebreak_gis.schema import Shown
+from firebreak_gis.schema import MapLayer, Shown
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -22,13 +21,14 @@ if TYPE_CHECKING:
 
 @own_looks
 def plot(thing: Any, *, breaks: xr.DataArray | None = None) -> Figure:
-    """Draw a plan, segments, a network, a raster, burns, curves or a comparison.
+    """Draw a plan, segments, an assessment, a network, a raster, burns, curves or a comparison.
 
     Parameters
     ----------
     thing
-        A plan (its overview); segments (by stage); any GeoDataFrame, such as compartments; a `SpreadNetwork` (mean
-        probability over the eight directions); a raster (y, x) such as a priority or breaks; burns as `simulate`
+        A plan (its overview); segments (by stage); existing breaks; what `assess` (by worth) and `delineate` return;
+        any GeoDataFrame, such as compartments; a `SpreadNetwork` (mean probability over the eight directions); a
+        raster (y, x) such as a priority or breaks; burns as `simulate`
         returns them (how often each cell burns); curves as `evaluate` returns them; the table of `compare`.
     breaks
         (y, x), above 0 where cut: drawn on the map.
@@ -55,8 +55,8 @@ def plot(thing: Any, *, breaks: xr.DataArray | None = None) -> Figure:
         return found
     if "ranking" in getattr(thing, "dims", ()):
         return curve_figure(thing)
-    if isinstance(thing, Segments) or hasattr(thing, "geometry"):
-        return _outlines(thing)
+    if layers := map_layers(thing):
+        return _outlines(layers)
     if "n_burnable" in getattr(thing, "attrs", {}) and "method" in getattr(thing, "columns", ()):
         told = thing.attrs
         return comparison_figure(thing, n_burnable=told["n_burnable"], cell_area_ha=told["cell_area_ha"])
@@ -72,37 +72,48 @@ def plot(thing: Any, *, breaks: xr.DataArray | None = None) -> Figure:
     return figure
 
 
-def _outlines(thing: Any) -> Figure:
-    """Outlines in kilometres from their lower left corner; segments by stage, their middle lines over them."""
-    areas = thing.polygons if isinstance(thing, Segments) else thing
+#: Of the layers from the lowest on.
+_MAPS = ("viridis", "plasma")
+
+
+def map_layers(thing: Any) -> tuple[MapLayer, ...]:
+    """Lines and outlines of a result or a table, the lowest first; none if it is neither."""
+    if hasattr(thing, "geometry"):
+        return (MapLayer(f"{len(thing)} outlines", thing),)
+    return tuple(thing.layers()) if hasattr(thing, "layers") else ()
+
+
+def _outlines(layers: tuple[MapLayer, ...]) -> Figure:
+    """Layers in kilometres from the lower left corner of the lowest."""
+    areas = layers[0].frame
     figure = new_figure(7.0, 6.0)
     axes = figure.subplots()
     left, bottom = areas.total_bounds[:2] if len(areas) else (0.0, 0.0)
     scale = 1.0 if areas.crs is None else 1e-3
-    for frame, looks in _layers(thing):
+    for k, layer in enumerate(layers):
+        frame = layer.frame
+        if not len(frame):
+            continue
         moved = frame.geometry.translate(-left, -bottom).scale(scale, scale, origin=(0, 0))
-        frame.set_geometry(moved.set_crs(None, allow_override=True)).plot(ax=axes, **looks)
+        frame.set_geometry(moved.set_crs(None, allow_override=True)).plot(ax=axes, **_looks(layer, k))
     axes.set_aspect("equal")
     axes.set(xlabel="", ylabel="")
     axes.tick_params(labelsize=7, length=2)
-    name = (
-        f"Segments, {len(areas)} in {areas['stage'].nunique()} stages" if "stage" in areas else f"{len(areas)} outlines"
-    )
-    axes.set_title(
-        name + (" (axes in km)" if areas.crs is not None else ""), fontsize=10, loc="left", fontweight="bold"
-    )
+    kilometres = " (axes in km)" if areas.crs is not None else ""
+    axes.set_title(layers[0].title + kilometres, fontsize=10, loc="left", fontweight="bold")
     return figure
 
 
-def _layers(thing: Any) -> list[tuple[Any, dict[str, Any]]]:
-    """Tables to draw, and how."""
-    if not isinstance(thing, Segments):
-        return [(thing, {"edgecolor": "#222222", "linewidth": 0.6, "cmap": "viridis", "column": None, "alpha": 0.7})]
-    if not len(thing.polygons):
-        return []
-    bar = {"label": "stage of construction", "shrink": 0.8}
-    looks = {"column": "stage", "cmap": "viridis", "legend": True, "legend_kwds": bar}
-    return [(thing.polygons, looks), (thing.lines, {"color": "black", "linewidth": 0.5})]
+def _looks(layer: MapLayer, place: int) -> dict[str, Any]:
+    """How a layer is drawn; a column of which nothing is known tells nothing."""
+    lines = layer.frame.geometry.geom_type.str.contains("Line").any()
+    if layer.column is None or layer.frame[layer.column].isna().all():
+        if lines:
+            return {"color": "black", "linewidth": 0.5 if place else 1.5}
+        return {"edgecolor": "#222222", "linewidth": 0.6, "alpha": 0.7}
+    bar = {"label": layer.legend, "shrink": 0.8}
+    looks = {"column": layer.column, "cmap": _MAPS[place % len(_MAPS)], "legend": True, "legend_kwds": bar}
+    return looks | ({"linewidth": 2.5} if lines else {})
 
 
 def plane_of(thing: Any) -> tuple[str, np.ndarray, Grid]:
@@ -114,8 +125,8 @@ def plane_of(thing: Any) -> tuple[str, np.ndarray, Grid]:
     raster = thing["burn_frequency"] if burns else thing
     if getattr(raster, "dims", ()) != ("y", "x"):
         raise ParameterError(
-            f"got {type(thing).__name__}, expected a plan, segments, a GeoDataFrame, a SpreadNetwork, a raster (y, x), "
-            "burns of simulate, curves of evaluate or the table of compare"
+            f"got {type(thing).__name__}, expected a plan, segments, an assessment, a GeoDataFrame, a SpreadNetwork, "
+            "a raster (y, x), burns of simulate, curves of evaluate or the table of compare"
         )
     title = (
         "Share of the fires that burn the cell"

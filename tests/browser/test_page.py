@@ -226,3 +226,54 @@ def test_dark_and_print(folder):
         assert len(pdf) > 20_000
     finally:
         dark.quit()
+
+
+def test_paper_shows_the_whole_map(driver, folder):
+    """On paper the map has a width of its own; afterwards it is as it was."""
+    driver.get((folder / "report.html").as_uri())
+    where = """const box = e => { const r = e.getBoundingClientRect(); return [r.left, r.top, r.right, r.bottom]; };
+        return [box(document.getElementById("map")), box(document.querySelector(".leaflet-image-layer"))]"""
+    before = driver.execute_script(where)
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    driver.execute_cdp_cmd(
+        "Emulation.setDeviceMetricsOverride", {"width": 720, "height": 1000, "deviceScaleFactor": 1, "mobile": False}
+    )
+    try:
+        driver.execute_script("window.dispatchEvent(new Event('beforeprint'))")
+        frame, picture = driver.execute_script(where)
+        assert frame[0] >= 0
+        assert frame[2] <= 720
+        assert picture[0] >= frame[0] - 1
+        assert picture[1] >= frame[1] - 1
+        assert picture[2] <= frame[2] + 1
+        assert picture[3] <= frame[3] + 1
+        # It fills the sheet in one way at least.
+        share = max(
+            (picture[2] - picture[0]) / (frame[2] - frame[0]), (picture[3] - picture[1]) / (frame[3] - frame[1])
+        )
+        assert share > 0.8
+        shown = driver.execute_script(
+            "return [...document.querySelectorAll('.panel label')].filter(e => e.offsetParent)"
+            ".map(e => e.innerText.trim())"
+        )
+        assert "Terrain shade" in shown
+        assert "Elevation [m]" not in shown
+        assert "Compartments" not in shown
+    finally:
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+        driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+        driver.execute_script("window.dispatchEvent(new Event('afterprint'))")
+    after = driver.execute_script(where)
+    assert after[1] == pytest.approx(before[1], abs=1.5)
+
+
+def test_the_legend_of_the_stages_has_the_colours_of_the_segments(driver, folder):
+    driver.get((folder / "report.html").as_uri())
+    swatches = driver.execute_script(
+        "return [...document.querySelectorAll('#layers ul')].at(-1).innerText.trim().split('\\n').length"
+    )
+    told = driver.execute_script(
+        "return JSON.parse(document.getElementById('data').textContent).outlines.find(o => o.key === 'segments')"
+    )
+    assert {f["properties"]["colour"] for f in told["features"]} == {colour for colour, _ in told["legend"]}
+    assert swatches == len(told["legend"])

@@ -20,8 +20,16 @@ def made(make_landscape):
     landscape = make_landscape((24, 31), seed=3, holes=0.05)
     plan = fb.plan(landscape, budget="10%", n_runs=6, method="dissection")
     weather = fb.read_weather("rose:NW=5x0.4,N=8x0.2")
+    existing = fb.existing_breaks(plan.breaks, plan.network.grid)
+
+    def burnt(cut, progress):
+        return fb.simulate(plan.network, breaks=cut, n_runs=6)["fire_size"].to_numpy()
+
     found = [
         plan,
+        existing,
+        fb.assess(plan.network, existing, burnt, placements=1),
+        fb.delineate(plan.network, np.full(plan.network.shape, 0.5), size_ha=60 * plan.network.grid.cell_area_ha),
         plan.network,
         plan.segments,
         plan.stakes,
@@ -87,6 +95,14 @@ def test_the_facts_are_those_of_the_thing(made):
     assert plan.headline[0].split(" ")[0] in plan._repr_html_()
     assert made["SpreadNetwork"].facts()["fuel"] == f"{int(made['SpreadNetwork'].burnable.sum()):,} cells"
     assert made["Weather"].facts()["weathers"] == 2
+    found = made["Assessment"]
+    assert f"{found.burnt_bare_ha:,.4g} ha without" in found.facts()["mean fire"]
+    assert made["Existing"].facts()["breaks"] == len(found.breaks)
+    pods, borders = made["Delineation"].pods, made["Delineation"].borders
+    assert made["Delineation"].facts()["compartments"] == len(pods) > 1
+    assert made["Delineation"].suitability == pytest.approx(
+        np.average(borders["suitability"], weights=borders["length_m"])
+    )
 
 
 def test_tables_carry_their_coordinate_system_as_epsg(made):
@@ -109,6 +125,9 @@ def test_everything_draws(made):
         (plan.breaks, ""),
         (plan.before, "Share of the fires"),
         (plan.evaluation, ""),
+        (made["Existing"], f"{len(made['Existing'])} existing breaks"),
+        (made["Assessment"], f"{len(made['Assessment'].breaks)} breaks"),
+        (made["Delineation"], f"{len(made['Delineation'].pods)} compartments"),
         (table, "breaks without a leak"),
     ):
         assert fb.plot(thing).axes[0].get_title(loc="left").startswith(title)
@@ -133,6 +152,13 @@ def test_maps_to_explore(made, monkeypatch):
         assert layer in page
     for thing in (plan.network, plan.breaks, plan.segments, plan.compartments, plan.before):
         assert "L.map(" in fb.explore(thing).get_root().render()
+    for kind, columns in (
+        ("Existing", ()),
+        ("Assessment", ("worth beside all others [ha]",)),
+        ("Delineation", ("suitability of the border",)),
+    ):
+        page = fb.explore(made[kind]).get_root().render()
+        assert all(column in page for column in columns), kind
     with pytest.raises(fb.FirebreakError, match="no coordinate system"):
         fb.explore(fb.spread_network(fb.forest((6, 7)), model="artificial"))
     monkeypatch.setitem(__import__("sys").modules, "folium", None)

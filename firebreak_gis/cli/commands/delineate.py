@@ -171,7 +171,6 @@ def command(
         progress=part(session.progress, 0.5, 0.95),
     )
     length = found.borders["length_m"]
-    mean = float((length * found.borders["suitability"]).sum() / max(float(length.sum()), 1e-9))
     square = square_suitability(good, network.burnable, size_ha / network.grid.cell_area_ha)
     fuel = found.pods["fuel_ha"]
     headline = [
@@ -180,8 +179,8 @@ def command(
             f"{float(length.sum()) / 1000:,.4g} km of borders between them."
         ),
         (
-            f"Mean suitability of the borders {mean:.2f}; along a square grid of such compartments {square:.2f}, "
-            f"of all fuel {float(good[network.burnable].mean()):.2f}."
+            f"Mean suitability of the borders {found.suitability:.2f}; along a square grid of such compartments "
+            f"{square:.2f}, of all fuel {float(good[network.burnable].mean()):.2f}."
         ),
     ]
     about = {
@@ -198,7 +197,7 @@ def command(
             "headline": headline,
             "compartments": len(fuel),
             "km": float(length.sum()) / 1000,
-            "border_suitability": mean,
+            "border_suitability": found.suitability,
             "assumptions": about["assumptions"],
         },
         "\n".join([*headline, *about["assumptions"], f"written to {output.output}"]),

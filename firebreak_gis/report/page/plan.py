@@ -80,9 +80,11 @@ def comparison_page(table: pd.DataFrame, account: Mapping[str, Any]) -> Page:
         lines.append((str(method), rows["d_f"].tolist(), rows["R"].tolist()))
     curve = None
     if lines and len(lines[0][1]) > 1:
-        note = "Mean burnt share of the fuel in the simulated fires"
+        leak = float(perfect["residual"].iloc[0]) if "residual" in perfect else 0.0
+        kind = f"treated cells keep {100 * leak:.3g} % of their spread" if leak else "treated cells let no fire pass"
+        note = f"Mean burnt share of the fuel in the simulated fires; {kind}"
         curve = Curve("What each ranking saves", note, "share of the fuel cut", lines)
-    columns = {name: name.replace("_", " ") for name in table.columns}
+    columns = {name: _compared(name) for name in table.columns}
     rows = tuple(
         Row({columns[name]: _plain(value) for name, value in row.items()}, _decimals(table.rename(columns=columns)))
         for row in table.to_dict("records")
@@ -97,6 +99,36 @@ def comparison_page(table: pd.DataFrame, account: Mapping[str, Any]) -> Page:
         files=tuple((name, label) for name, label in account.get("files", ()) if name != "report.html"),
         provenance=_provenance(account),
     )
+
+
+#: Columns of `comparison.csv` as the page names them; the ends of intervals follow.
+_COMPARED = {
+    "method": "Ranking",
+    "d_f": "Share cut",
+    "residual": "Residual",
+    "cells_cut": "Cells cut",
+    "ha_cut": "Cut [ha]",
+    "R": "Burnt share",
+    "burnt_ha": "Burnt [ha]",
+    "p90_ha": "Burnt in one of ten [ha]",
+    "cvar_ha": "Burnt in the worst tenth [ha]",
+    "value_lost": "Value lost",
+    "leverage": "Saved per ha cut [ha]",
+}
+
+
+def _compared(name: str) -> str:
+    """Name of a column of a comparison; one that is not known keeps its own.
+
+    Examples
+    --------
+    >>> _compared("burnt_ha_low"), _compared("my_own")
+    ('Burnt [ha], low', 'my own')
+    """
+    for end in ("_low", "_high"):
+        if name.removesuffix(end) in _COMPARED and name.endswith(end):
+            return f"{_COMPARED[name.removesuffix(end)]}, {end[1:]}"
+    return _COMPARED.get(name, name.replace("_", " "))
 
 
 def plan_title(account: Mapping[str, Any]) -> str:
