@@ -145,7 +145,7 @@ def _sides(network: SpreadNetwork, lines: gpd.GeoDataFrame, labels: np.ndarray) 
     """The two compartments that most of the links across each line part, (n, 2), a < b; both 0 if it parts none."""
     out = np.zeros((len(lines), 2), np.int64)
     for i in range(len(lines)):
-        crossed, _ = links_crossed(lines.iloc[[i]], network.grid)
+        crossed, *_ = links_crossed(lines.iloc[[i]], network.grid)
         row, col = np.nonzero(crossed)
         pairs = []
         for d in range(4):

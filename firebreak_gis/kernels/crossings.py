@@ -40,7 +40,9 @@ def _ahead(ax: int, ay: int, bx: int, by: int, x: int, y: int) -> bool:
 
 
 @kernel
-def cross_links(pieces: np.ndarray, widths: np.ndarray, bits: np.ndarray, width: np.ndarray) -> None:
+def cross_links(
+    pieces: np.ndarray, widths: np.ndarray, bits: np.ndarray, width: np.ndarray, first_piece: np.ndarray
+) -> None:
     """Mark the links that pieces of lines cross.
 
     Parameters
@@ -55,6 +57,8 @@ def cross_links(pieces: np.ndarray, widths: np.ndarray, bits: np.ndarray, width:
     width
         (rows, cols) float32; raised to the width of the widest piece across any link of the cell to a cell with a
         higher row-major number.
+    first_piece
+        (rows, cols) int64; where below 0, set to the number of the first piece across any of those links.
     """
     rows, cols = bits.shape
     steps = ((2, 0, 1), (3, 1, 1), (4, 1, 0), (5, 1, -1))
@@ -87,3 +91,5 @@ def cross_links(pieces: np.ndarray, widths: np.ndarray, bits: np.ndarray, width:
                         bits[row, col] |= np.uint8(1 << d)
                         bits[to_row, to_col] |= np.uint8(1 << ((d + 4) & 7))
                         width[row, col] = max(width[row, col], widths[i])
+                        if first_piece[row, col] < 0:
+                            first_piece[row, col] = i

@@ -34,6 +34,8 @@ class Walls(NamedTuple):
         (n_cells,) uint8: bit d set where a line crosses the link in direction d; empty without lines.
     line_holds
         (n_cells,) uint32: as `holds`, of the lines across the links to cells of a higher number.
+    line_stretch
+        (n_cells,) uint32: as `stretch`, of those lines.
     crews
         (n_cells,) uint64 [s]: nothing holds against fire that comes to the cell before; empty if crews are everywhere.
     """
@@ -46,6 +48,7 @@ class Walls(NamedTuple):
     probability: np.ndarray
     crossed: np.ndarray
     line_holds: np.ndarray
+    line_stretch: np.ndarray
     crews: np.ndarray
 
 
@@ -72,8 +75,7 @@ def parted(walls: Walls, run: int, cell: np.uint64, target: np.uint64, d: int) -
     result = False
     if walls.crossed.size > 0 and (walls.crossed[cell] >> np.uint8(d)) & np.uint8(1):
         first = min(cell, target)
-        stretch = np.uint64(walls.stretch[first]) & ~_ONE  # that of breaks, also on a barrier
-        draw = word(walls.keys[run], stretch) >> np.uint64(32)
+        draw = word(walls.keys[run], np.uint64(walls.line_stretch[first])) >> np.uint64(32)
         result = below(draw, np.uint64(walls.line_holds[first]))
     return result
 

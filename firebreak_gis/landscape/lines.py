@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from firebreak_gis.landscape.planes import Source
     from firebreak_gis.network import Residual, SpreadNetwork
 
+#: Between the numbers of stretches that follow each other on a line; half of it is odd, so that all of a line differ.
+_STEP = np.uint32(0x9E3779B2)
+
 
 @dataclass(frozen=True, eq=False)
 class LineBreaks:
@@ -36,6 +39,12 @@ class LineBreaks:
         (`lattice.DIRECTIONS`); links go both ways, so the neighbour has the bit of the opposite direction.
     width
         (rows, cols) float32 [m]: of the widest line across a link of the cell to a later cell, 0 for none.
+    line
+        (rows, cols) uint32: mark of the first line across such a link, which follows from where it begins and first
+        goes to; 0 for none.
+    along
+        (rows, cols) float32 [m]: how far from the beginning of that line this is. The parts of a multiline are one
+        line, the gaps between them count.
     grid
         The grid.
     """
@@ -43,6 +52,8 @@ class LineBreaks:
     lines: gpd.GeoDataFrame
     crossed: np.ndarray
     width: np.ndarray
+    line: np.ndarray
+    along: np.ndarray
     grid: Grid
 
     @property
@@ -52,7 +63,16 @@ class LineBreaks:
 
     def part(self, rows: slice, cols: slice, grid: Grid) -> LineBreaks:
         """Return the breaks on a window of the grid."""
-        return LineBreaks(self.lines, self.crossed[rows, cols], self.width[rows, cols], grid)
+        here = rows, cols
+        return LineBreaks(self.lines, self.crossed[here], self.width[here], self.line[here], self.along[here], grid)
+
+    def stretches(self, length: float) -> np.ndarray:
+        """Number of the stretch of `length` metres along its line in which each cell lies, (rows, cols) uint32, even.
+
+        Numbers follow from the line alone: lines that come later change none.
+        """
+        steps = np.floor(self.along / length).astype(np.uint32)
+        return np.asarray((self.line + steps * _STEP) & ~np.uint32(1), np.uint32)
 
     def parted(self, network: SpreadNetwork, *, residual: Residual = 0.0) -> SpreadNetwork:
         """Return a network with the lines in it: an edge across keeps `residual`, the share of the cell it leads to."""
@@ -121,13 +141,13 @@ def line_breaks(source: Source, grid: Grid, *, width: float | str, what: str = "
             else f"the width of lines is {width} m, expected a number above 0"
         )
     lines = frame[["geometry"]].assign(width_m=metres)
-    crossed, widest = links_crossed(lines, grid)
-    if not crossed.any():
+    found = links_crossed(lines, grid)
+    if not found[0].any():
         raise InputError(f"{what} crosses no link of the landscape {grid.describe()}; is it the right file?")
-    return LineBreaks(lines, crossed, widest, grid)
+    return LineBreaks(lines, *found, grid)
 
 
-def links_crossed(lines: gpd.GeoDataFrame, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
+def links_crossed(lines: gpd.GeoDataFrame, grid: Grid) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Find the links between neighbouring cells that lines cross.
 
     Links run straight from centre to centre, also to the four diagonal neighbours. A line that touches a centre or
@@ -147,6 +167,8 @@ def links_crossed(lines: gpd.GeoDataFrame, grid: Grid) -> tuple[np.ndarray, np.n
         (rows, cols) uint8, see `LineBreaks`.
     width
         (rows, cols) float32, see there; 0 without the column.
+    line, along
+        (rows, cols) uint32 and float32, see there.
     """
     import shapely
 
@@ -157,9 +179,40 @@ def links_crossed(lines: gpd.GeoDataFrame, grid: Grid) -> tuple[np.ndarray, np.n
     parts, owner = shapely.get_parts(shapes, return_index=True)
     places, part = shapely.get_coordinates(parts, return_index=True)
     whole = np.rint(places * PARTS).astype(np.int64)
-    along = np.flatnonzero(part[1:] == part[:-1])
-    pieces = np.concatenate([whole[along], whole[along + 1]], axis=1)
+    joined = np.flatnonzero(part[1:] == part[:-1])
+    pieces = np.ascontiguousarray(np.concatenate([whole[joined], whole[joined + 1]], axis=1))
+    feature = owner[part]
     metres = lines["width_m"].to_numpy(np.float32) if "width_m" in lines.columns else np.zeros(len(lines), np.float32)
     crossed, width = np.zeros(grid.shape, np.uint8), np.zeros(grid.shape, np.float32)
-    cross_links(np.ascontiguousarray(pieces), metres[owner[part[along]]], crossed, width)
-    return crossed, width
+    piece = np.full(grid.shape, -1, np.int64)
+    cross_links(pieces, metres[feature[joined]], crossed, width, piece)
+    line, along = np.zeros(grid.shape, np.uint32), np.zeros(grid.shape, np.float32)
+    at = np.nonzero(piece >= 0)
+    if at[0].size:
+        of = piece[at]
+        begin, end = (pieces[of, i : i + 2] / PARTS for i in (0, 2))
+        step = np.hypot(*(end - begin).T)
+        centre = np.column_stack(at[::-1]) + 0.5
+        share = np.clip(((centre - begin) * (end - begin)).sum(axis=1) / step**2, 0.0, 1.0)
+        line[at] = _marks(whole, feature)[feature[joined[of]]]
+        along[at] = (_run(places, feature)[joined[of]] + share * step) * grid.cell_size
+    return crossed, width, line, along
+
+
+def _marks(whole: np.ndarray, feature: np.ndarray) -> np.ndarray:
+    """A mark for each feature from its first two places, (features,) uint32."""
+    count = int(feature.max()) + 1
+    first = np.minimum(np.searchsorted(feature, np.arange(count)), feature.size - 2)
+    told = np.concatenate([whole[first], whole[first + 1]], axis=1).astype(np.uint64)
+    mark = np.zeros(count, np.uint64)
+    for column in told.T:
+        mark = (mark ^ column) * np.uint64(0x9E3779B97F4A7C15)
+        mark ^= mark >> np.uint64(29)
+    return np.asarray(mark >> np.uint64(32), np.uint32)
+
+
+def _run(places: np.ndarray, feature: np.ndarray) -> np.ndarray:
+    """How far each place is from the first of its feature, the gaps between parts counted [cells]."""
+    steps = np.hypot(*np.diff(places, axis=0).T)
+    run = np.concatenate([[0.0], np.cumsum(np.where(np.diff(feature) == 0, steps, 0.0))])
+    return np.asarray(run - run[np.searchsorted(feature, feature)])

@@ -176,7 +176,8 @@ class _Box:
         lines = tuple(whole[first[i] : first[i + 1]] for i in range(first.size - 1))
         pieces = np.concatenate([np.hstack([line[:-1], line[1:]]) for line in lines])
         bits = np.zeros(self.shape, np.uint8)
-        cross_links(pieces, np.zeros(len(pieces), np.float32), bits, np.zeros(self.shape, np.float32))
+        none = np.zeros(self.shape, np.float32), np.zeros(self.shape, np.int64)
+        cross_links(pieces, np.zeros(len(pieces), np.float32), bits, *none)
         corner = np.array([self.left, self.top], np.int64) * PARTS
         return tuple(line + corner for line in lines), bits[self.row, self.col]
 

@@ -180,11 +180,29 @@ def _kept(cuts: list[LineCut], budget: Budget, *, area: float, price: float, fue
 
 
 def _on_map(cut: LineCut, grid: Grid) -> list[np.ndarray]:
-    """Its lines in the coordinates of the map."""
+    """Its lines in the coordinates of the map, one after the other from an end of the wall."""
     from firebreak_gis.kernels.crossings import PARTS
 
     t = grid.transform
-    return [np.column_stack([t.c + t.a * line[:, 0] / PARTS, t.f + t.e * line[:, 1] / PARTS]) for line in cut.lines]
+    lines = [np.column_stack([t.c + t.a * line[:, 0] / PARTS, t.f + t.e * line[:, 1] / PARTS]) for line in cut.lines]
+    return chained(lines)
+
+
+def chained(lines: list[np.ndarray]) -> list[np.ndarray]:
+    """The lines in turn, each from the end that is nearest to where the one before ends.
+
+    The first begins at the end that is farthest from the middle of all ends.
+    """
+    ends = np.array([[line[0], line[-1]] for line in lines])
+    away = np.hypot(*(ends - ends.mean(axis=(0, 1))).T).T
+    waiting = np.ones(len(lines), bool)
+    out: list[np.ndarray] = []
+    while waiting.any():
+        k, side = divmod(int(np.argmax(np.where(waiting[:, np.newaxis], away, -np.inf))), 2)
+        out.append(lines[k][:: -1 if side else 1])
+        waiting[k] = False
+        away = -np.hypot(*(ends - out[-1][-1]).T).T
+    return out
 
 
 def _joined(walls: list[list[np.ndarray]], cell_size: float) -> list[Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import geopandas as gpd
 import numpy as np
@@ -15,11 +16,11 @@ from firebreak_gis import SpreadNetwork, simulate
 from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.kernels import draws
-from firebreak_gis.landscape.lines import LineBreaks, line_breaks, links_crossed
+from firebreak_gis.landscape.lines import line_breaks, links_crossed
 from firebreak_gis.lattice import COL_STEP, NEVER, OPPOSITE, ROW_STEP
 from firebreak_gis.network import neighbour
 from firebreak_gis.simulation.embers import Embers
-from firebreak_gis.simulation.holding import Hold, breach, fire_before, stretches
+from firebreak_gis.simulation.holding import Hold, breach, fire_before
 from firebreak_gis.simulation.products import Products
 from tests.twins.arrival import Fire
 from tests.twins.percolation import word
@@ -68,7 +69,7 @@ def breaks_of(seed, network, n=4, width=8.0):
 def test_links_crossed_are_those_that_shapely_crosses(seed):
     grid = grid_of((13, 17))
     lines = wild(seed, grid.shape)
-    found, width = links_crossed(drawn(lines, grid), grid)
+    found, width, *_ = links_crossed(drawn(lines, grid), grid)
     whole = shapely.MultiLineString([np.rint(line * 4096) / 4096 for line in lines])
     for row in range(13):
         for col in range(17):
@@ -84,7 +85,7 @@ def test_links_crossed_are_those_that_shapely_crosses(seed):
 @pytest.mark.parametrize("seed", range(20))
 def test_links_are_crossed_from_both_ends_also_where_lines_touch_centres(seed):
     grid = grid_of((9, 11))
-    found, _ = links_crossed(drawn(wild(seed, grid.shape, whole=True), grid), grid)
+    found, *_ = links_crossed(drawn(wild(seed, grid.shape, whole=True), grid), grid)
     assert found.any()
     for d in range(8):
         np.testing.assert_array_equal(found >> d & 1, neighbour(found >> OPPOSITE[d] & 1, d))
@@ -112,20 +113,21 @@ def test_a_closed_line_lets_no_fire_out(ring):
 
 def test_a_line_through_centres_counts_as_just_west_or_north_of_them():
     grid = grid_of((3, 3))
-    crossed, _ = links_crossed(drawn([[(1.5, -1), (1.5, 4)]], grid), grid)
+    crossed, *_ = links_crossed(drawn([[(1.5, -1), (1.5, 4)]], grid), grid)
     assert [int(v) for v in crossed[1]] == [0b00001110, 0b11100000, 0]
-    crossed, _ = links_crossed(drawn([[(-1, 1.5), (4, 1.5)]], grid), grid)
+    crossed, *_ = links_crossed(drawn([[(-1, 1.5), (4, 1.5)]], grid), grid)
     assert [int(v) for v in crossed[:, 1]] == [0b00111000, 0b10000011, 0]
 
 
-def keyed_holds(breaks, key, hold, block, chance, network):
+def keyed_holds(breaks, key, hold, chance, network):
     """Pairs of cells between which a line holds in a run, in plain Python."""
     held = set()
+    stretch = breaks.stretches(hold.length)
     for cell in range(breaks.crossed.size):
         row, col = divmod(cell, network.shape[1])
         for d in (2, 3, 4, 5):
             if breaks.crossed[row, col] >> d & 1:
-                draw = word(key, 2 * int(block[row, col])) >> 32
+                draw = word(key, int(stretch[row, col])) >> 32
                 if chance[row, col] >= 1 or draw < round(float(chance[row, col]) * 2**32):
                     held.add((cell, (row + ROW_STEP[d]) * network.shape[1] + col + COL_STEP[d]))
     return frozenset(held)
@@ -149,14 +151,13 @@ def test_fires_with_lines_are_those_of_the_twin(hold, residual):
         products=EACH,
     )
     edges, holds = draws.run_keys(3, "edges", 40), draws.run_keys(3, "hold", 40)
-    block = stretches(network.shape, 20.0, hold.length)
     chance = np.full(network.shape, 1.0 if hold.share is None else hold.share)
     if hold.share is None:
         intensity, trees = fire_before(network, hold)
         chance = 1.0 - breach(intensity, breaks.width, trees=trees)
     stopped = 0
     for run in range(40):
-        held = keyed_holds(breaks, int(holds[run]), hold, block, chance, network)
+        held = keyed_holds(breaks, int(holds[run]), hold, chance, network)
         given = {"key": int(edges[run]), "times": [network.travel_time], "limit": 3000, "residual": residual}
         expected = Fire(network, parted=held, **given).burn({cell: 0})
         found = burns["arrival"][run].to_numpy().ravel()
@@ -210,17 +211,85 @@ def test_without_a_clock_lines_are_those_of_the_slow_path(residual):
     assert fast["fire_size"].sum() < simulate(network, n_runs=100, seed=2)["fire_size"].sum()
 
 
-def test_a_line_and_a_break_of_the_same_block_hold_or_fail_together():
+def test_stretches_are_lengths_along_the_line_whatever_comes_later():
+    """Against a slow walk along each line, by the place on it nearest to where a link is crossed."""
+    grid = grid_of((23, 31))
+    frame = drawn(wild(11, grid.shape, 5), grid)
+    frame.loc[2, "geometry"] = shapely.MultiLineString([frame.geometry[2], frame.geometry[3]])  # the gap counts
+    breaks = line_breaks(frame, grid, width="width_m")
+    owner = {}
+    for row, col in zip(*np.nonzero(breaks.width > 0), strict=True):
+        links = shapely.MultiLineString(
+            [
+                [grid_place(grid, col, row), grid_place(grid, col + COL_STEP[d], row + ROW_STEP[d])]
+                for d in (2, 3, 4, 5)
+                if breaks.crossed[row, col] >> d & 1
+            ]
+        )
+        first = next(k for k, line in enumerate(frame.geometry) if line.distance(links) < 1e-6)
+        assert owner.setdefault(int(breaks.line[row, col]), first) == first
+        walk, nearest = walked(frame.geometry[first]), shapely.Point(grid_place(grid, col, row))
+        near = [far for far, place in walk if place.distance(nearest) < 1.01 * math.sqrt(2) * 20.0]
+        assert min(near) - 2.0 <= breaks.along[row, col] <= max(near) + 2.0
+    assert sorted(owner.values()) == [0, 1, 2, 4]  # the third holds the fourth
+    numbers = breaks.stretches(50.0)
+    assert np.unique(numbers[breaks.width > 0]).size == sum(
+        np.unique(np.floor(breaks.along[breaks.line == mark] / 50.0)).size for mark in owner
+    )
+    assert (numbers % 2 == 0).all()  # barriers are drawn by odd numbers
+    fewer = line_breaks(frame.iloc[:2], grid, width="width_m")
+    kept = fewer.width > 0
+    np.testing.assert_array_equal(fewer.stretches(50.0)[kept], numbers[kept])
+
+
+def grid_place(grid, col, row):
+    t = grid.transform
+    return t.c + t.a * (col + 0.5), t.f + t.e * (row + 0.5)
+
+
+def walked(line):
+    """Places along a line or multiline, and how far each is from its beginning."""
+    places, far = [], 0.0
+    end = None
+    for part in shapely.get_parts(line):
+        far += 0.0 if end is None else math.dist(end, part.coords[0])
+        places += [(far + s, part.interpolate(s)) for s in np.arange(0.0, part.length, 1.0)]
+        far, end = far + part.length, part.coords[-1]
+    return places
+
+
+def test_stretches_of_a_line_hold_by_themselves_in_every_direction():
+    """All of a line of 400 m holds as often as one draw says, whatever its direction; one of 800 m as two do."""
+    shape = (60, 60)
+    network = SpreadNetwork(np.ones((8, *shape)), travel_time=np.full((8, *shape), 60), crs=CRS, transform=PLACE)
+    for turn in (0.0, 0.4, math.pi / 4):
+        for sides, draws_of in ((4, 1), (4, 2)):
+            radius = 8.0
+            corners = [
+                (
+                    30.2 + radius * math.cos(turn + k * math.tau / sides),
+                    30.1 + radius * math.sin(turn + k * math.tau / sides),
+                )
+                for k in range(sides + 1)
+            ]
+            length = sides * 20.0 * radius * math.sqrt(2)
+            ring = line_breaks(drawn([corners], network.grid), network.grid, width=5.0)
+            fires = {"ignitions": (network.grid.x[30], network.grid.y[30]), "n_runs": 400, "seed": 5}
+            hold = Hold(0.6, length=length / draws_of * 1.0001)
+            sizes = simulate(network, breaks=ring, hold=hold, **fires)["fire_size"].to_numpy()
+            held = (sizes < 3000).mean()
+            assert abs(held - 0.6**draws_of) < 0.075, (turn, draws_of)
+
+
+def test_a_barrier_that_fails_is_drawn_apart_from_lines():
     network = SpreadNetwork(np.ones((8, 5, 40)), travel_time=np.full((8, 5, 40), 60), crs=CRS, transform=PLACE)
     line = line_breaks(drawn([[(20.0, -1), (20.0, 6)]], network.grid), network.grid, width=4.0)
     cells = np.zeros(network.shape, bool)
     cells[:, 20] = True
     given = {"hold": "0.5:10000", "ignitions": (network.grid.x[3], network.grid.y[2]), "n_runs": 60, "seed": 1}
-    by_line, by_cells = (simulate(network, breaks=breaks, **given)["fire_size"].to_numpy() for breaks in (line, cells))
-    np.testing.assert_array_equal(by_line == 100, by_cells == 100)
+    by_line = simulate(network, breaks=line, **given)["fire_size"].to_numpy()
     assert 10 < (by_line == 100).sum() < 50
     assert set(by_line.tolist()) == {100, 200}  # the ground under the line stays fuel
-    # A barrier beside it that fails is drawn apart.
     failing = simulate(network, breaks=line, barriers=cells | np.roll(cells, -1, 1), barriers_hold=1e-9, **given)
     np.testing.assert_array_equal(failing["fire_size"], by_line)
 
@@ -262,7 +331,8 @@ def test_width_comes_from_a_number_or_a_column_and_makes_the_area(tmp_path):
         line_breaks(lines.assign(geometry=lines.buffer(5)), network.grid, width=3.0)
     with pytest.raises(InputError, match="crosses no link"):
         line_breaks(lines.translate(50_000), network.grid, width=3.0)
-    other = LineBreaks(own.lines, own.crossed, own.width, Grid(network.shape, Affine(40, 0, 0, 0, -40, 0), CRS))
+    elsewhere = Grid(network.shape, Affine(40, 0, 0, 0, -40, 0), CRS)
+    other = replace(own, grid=elsewhere)
     for hold in (None, 0.5):
         with pytest.raises(GridError, match="lines"):
             simulate(network, breaks=other, hold=hold, n_runs=1)

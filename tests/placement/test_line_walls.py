@@ -59,7 +59,8 @@ def crossed_by(points, first, shape):
     pieces = [np.hstack([whole[a : b - 1], whole[a + 1 : b]]) for a, b in pairwise(first)]
     bits = np.zeros(shape, np.uint8)
     pieces = np.concatenate(pieces) if pieces else np.zeros((0, 4), np.int64)
-    cross_links(pieces, np.zeros(len(pieces), np.float32), bits, np.zeros(shape, np.float32))
+    none = np.zeros(shape, np.float32), np.zeros(shape, np.int64)
+    cross_links(pieces, np.zeros(len(pieces), np.float32), bits, *none)
     return bits
 
 
@@ -258,7 +259,7 @@ def test_lines_leave_the_compartments_that_the_tree_tells(seed):
     cuts = dissect_by_lines(network, stakes, smallest=100, progress=silent)
     assert len(cuts) > 10
     drawn = walls_on(cuts, network.grid)
-    crossed, _ = links_crossed(drawn, network.grid)
+    crossed, *_ = links_crossed(drawn, network.grid)
     before, after = (masses(network, bits) for bits in (links(network), links(network) & ~crossed))
     assert (before**2).sum() - (after**2).sum() == pytest.approx(sum(cut.saved for cut in cuts), abs=1e-9)
     assert all(cut.parent < place for place, cut in enumerate(cuts))

@@ -19,7 +19,7 @@ from firebreak_gis.construction.compartments import compartments_of, split
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.landscape.lines import line_breaks, links_crossed
 from firebreak_gis.planning.judging import ASSUMED_DURATION, ASSUMED_HOLD
-from firebreak_gis.planning.line_design import design_lines
+from firebreak_gis.planning.line_design import chained, design_lines
 from firebreak_gis.planning.outputs import write_plan
 from firebreak_gis.stakes import Stakes
 
@@ -222,3 +222,10 @@ def test_lines_do_not_depend_on_threads(network):
     stakes, budget = Stakes(network), Budget(0.05)
     one, two = (design_lines(network, stakes=stakes, budget=budget, width=6.0, threads=n) for n in (1, 2))
     assert one.walls.geometry.geom_equals_exact(two.walls.geometry, 0).all()
+
+
+def test_lines_of_a_wall_follow_each_other():
+    pieces = [np.array([[k, 0.0], [k + 0.4, 0.3], [k + 0.8, 0.0]]) for k in range(6)]
+    mixed = [pieces[k][:: 1 - 2 * (k % 2)] for k in (3, 0, 5, 1, 4, 2)]
+    found = np.array(chained(mixed))
+    np.testing.assert_array_equal(found if found[0, 0, 0] == 0 else found[::-1, ::-1], pieces)
