@@ -89,6 +89,11 @@ class Grid:
         """Cell-centre y coordinates, length rows (falling)."""
         return self.transform.f + self.transform.e * (np.arange(self.shape[0]) + 0.5)
 
+    def position(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(col, row) of points as fractions, counted from the corner of the grid."""
+        t = ~self.transform
+        return t.a * x + t.b * y + t.c, t.d * x + t.e * y + t.f
+
     def matches(self, other: Grid) -> bool:
         """Whether both describe the same cells (transforms within 1e-3 of a cell)."""
         if self.shape != other.shape or (self.crs is None) != (other.crs is None):
@@ -130,7 +135,7 @@ class Grid:
             Coordinates in the CRS of the grid, 1-D, equal length.
         """
         with np.errstate(invalid="ignore"):  # a coordinate may be infinite
-            col_f, row_f = ~self.transform @ (np.asarray(x, dtype=float), np.asarray(y, dtype=float))
+            col_f, row_f = self.position(np.asarray(x, dtype=float), np.asarray(y, dtype=float))
         row, col = np.floor(row_f), np.floor(col_f)
         inside = (row >= 0) & (row < self.shape[0]) & (col >= 0) & (col < self.shape[1])
         index = np.full(inside.shape, -1, dtype=np.int64)

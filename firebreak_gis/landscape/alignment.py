@@ -7,8 +7,8 @@ commonest. "Coarser" means that a cell of the grid covers at least two of the la
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal
 
@@ -17,10 +17,12 @@ from affine import Affine
 
 from firebreak_gis.errors import InputError, VerificationError
 from firebreak_gis.grid import SAME_GRID_TOLERANCE, Grid, crs_name
-from firebreak_gis.landscape.resampling import Placed, average, bilinear, mode, nearest, shared_out, touched
+from firebreak_gis.landscape.grid_part import GridPart
+from firebreak_gis.landscape.resampling import BLOCK, Placed, average, bilinear, mode, nearest, shared_out, touched
 from firebreak_gis.landscape.target_grid import Account, cell_in
 from firebreak_gis.projections import outline, transform
 from firebreak_gis.rasters import Cells, Header, read_cells
+from firebreak_gis.rasters.nodata import Extremes, told_of
 
 if TYPE_CHECKING:
     from firebreak_gis.rasters.reading import Window
@@ -62,7 +64,9 @@ class Placing:
 
 
 def placing(header: Header, grid: Grid) -> Placing:
-    """Decide from the header alone how a layer comes onto the grid."""
+    """Decide from the header alone how a layer comes onto the grid; onto a part as onto the whole."""
+    if isinstance(grid, GridPart):
+        return _narrowed(placing(header, grid.whole), header, grid)
     upright = _upright(header)
     left, bottom, right, top = grid.bounds
     assert grid.crs is not None
@@ -72,6 +76,41 @@ def placing(header: Header, grid: Grid) -> Placing:
         return Placing((*fit, *grid.shape), copy=True, coarser=False, cells=sides)
     coarser = grid.cell_size**2 >= COARSER * sides[0] * sides[1]
     return Placing(_window(upright, header, grid, sides), copy=False, coarser=coarser, cells=sides)
+
+
+def _narrowed(how: Placing, header: Header, part: GridPart) -> Placing:
+    if how.copy:
+        corner = (how.window[0] + part.corner[0], how.window[1] + part.corner[1])
+        return replace(how, window=(*corner, *part.shape))
+    return replace(how, window=_window(_upright(header), header, part, how.cells))
+
+
+def strips(header: Header, how: Placing, *, strict: bool = False, sentinels: bool = False) -> Iterator[Cells]:
+    """Read what lies on the grid of a layer by strips of rows, from the north, as whole layers are read."""
+    row, col, rows, cols = how.window
+    step = max(1, BLOCK // max(cols, 1))
+    for first in range(row, row + rows, step):
+        part = replace(how, window=(first, col, min(step, row + rows - first), cols))
+        yield _read(header, part, strict, sentinels)
+
+
+def with_nodata(header: Header, grid: Grid, name: str, account: Account) -> Header:
+    """Look through a layer for undeclared "no data" values; the header with them, so that its parts are read alike.
+
+    Parameters
+    ----------
+    header, grid, name, account
+        As in `align_values`.
+    """
+    if header.nodata or header.masked or header.declared:
+        return header
+    found = Extremes()
+    for cells in strips(replace(header, scale=1.0, offset=0.0), placing(header, grid)):
+        found.add(cells.values, cells.valid)
+    nodata = found.undeclared()
+    for note in told_of(nodata, header.path, strict=account.strict):
+        account.warn(f"{name}: {note}")
+    return replace(header, nodata=tuple(nodata), declared=True)
 
 
 def align_values(

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from firebreak_gis.errors import LegendError
+from firebreak_gis.errors import InputError, LegendError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.continuity import CONTINUITY, density_by_continuity
 from firebreak_gis.landscape.legends import Legend
@@ -35,11 +35,17 @@ class Fuel:
     instead
         float32 numbers in place of what the class has, NaN where the class counts, by variable; those of `INSTEAD`
         that a legend gives.
+    unknown
+        By "vegetation" and "density", the cells of each code that the legend does not list.
+    lacking
+        Cells with vegetation but without density.
     """
 
     vegetation: np.ndarray
     density: np.ndarray
     instead: Mapping[str, np.ndarray] = field(default_factory=dict)
+    unknown: Mapping[str, Mapping[float, int]] = field(default_factory=dict)
+    lacking: int = 0
 
 
 def fuel_of(
@@ -47,9 +53,8 @@ def fuel_of(
     cover: np.ndarray | str | None,
     legend: Legend,
     density_legend: Legend,
-    grid: Grid,
-    account: Account,
-    unknown: str = "refuse",
+    *,
+    inner: tuple[slice, slice] = (slice(None), slice(None)),
 ) -> Fuel:
     """Look the codes up.
 
@@ -61,45 +66,100 @@ def fuel_of(
         Density codes (or a quantity) likewise; the name of one class; "continuity"; or None.
     legend, density_legend
         For `codes` and `cover`.
-    grid
-        For the areas in messages.
-    account
-        Warnings are added to it.
-    unknown
-        "refuse" or "nonburnable".
-
-    Raises
-    ------
-    LegendError
-        For codes that the legend does not list, with their areas.
+    inner
+        Rows and columns of `codes` that are looked up; those around count for the continuity alone.
     """
-    index = _look_up(codes, legend, "vegetation", grid, account, unknown)
+    closed = None
+    if isinstance(cover, str) and cover == CONTINUITY:
+        closed = density_by_continuity(legend.column("vegetation", 0)[_look_up(codes, legend)[0]] > 0)[inner]
+    index, unknown = _look_up(codes[inner], legend)
+    unknowns = {"vegetation": unknown}
     vegetation = legend.column("vegetation", 0)[index].astype(np.uint8)
     density = legend.column("density", np.nan)[index]
     density_effect = _effect(legend, "density_effect", index)
     if cover is not None:
         replaced = (legend.column("density_from_raster", 1)[index] == 1) | np.isnan(density)
-        if isinstance(cover, str) and cover == CONTINUITY:
-            given, given_effect = density_by_continuity(vegetation > 0).astype(np.float64), None
+        given_effect = None
+        if closed is not None:
+            given = closed.astype(np.float64)
         elif isinstance(cover, str):
-            given, given_effect = np.full(grid.shape, float(_density_code(cover))), None
+            given = np.full(vegetation.shape, float(_density_code(cover)))
         else:
-            where = _look_up(np.where(vegetation > 0, cover, np.nan), density_legend, "density", grid, account, unknown)
+            where, unknowns["density"] = _look_up(np.where(vegetation > 0, cover, np.nan), density_legend)
             given = density_legend.column("density", np.nan)[where]
             given_effect = _effect(density_legend, "density_effect", where)
         density = np.where(replaced, given, density)
         density_effect = _merge(density_effect, given_effect, replaced)
-    lacking = np.isnan(density) & (vegetation > 0)
-    if lacking.any():
-        account.warn(
-            f"{int(lacking.sum())} cells with vegetation have no density and are taken as not burnable "
-            f"({lacking.mean():.2%} of the grid)"
-        )
+    lacking = int(np.count_nonzero(np.isnan(density) & (vegetation > 0)))
     classes = np.where(np.isnan(density) | (vegetation == 0), 0, density).astype(np.uint8)
     numbers = {name: _effect(legend, name, index) for name in INSTEAD} | {"density_effect": density_effect}
     burns = classes > 0
     instead = {name: np.where(burns, plane, np.float32(np.nan)) for name, plane in numbers.items() if plane is not None}
-    return Fuel(vegetation, classes, instead)
+    return Fuel(vegetation, classes, instead, unknowns, lacking)
+
+
+@dataclass
+class Lacks:
+    """Cells of a landscape, gathered part by part, in which something lacks; numbers as in `Fuel`."""
+
+    unknown: dict[str, dict[float, int]] = field(default_factory=dict)
+    lacking: int = 0
+    blind: int = 0
+    burnable: int = 0
+
+    def add(self, fuel: Fuel, elevation: np.ndarray) -> np.ndarray:
+        """Look at one more part; where it can burn."""
+        for name, codes in fuel.unknown.items():
+            known = self.unknown.setdefault(name, {})
+            for code, number in codes.items():
+                known[code] = known.get(code, 0) + number
+        self.lacking += fuel.lacking
+        grows = (fuel.vegetation > 0) & (fuel.density > 0)
+        burnable = grows & np.isfinite(elevation)
+        self.blind += int(np.count_nonzero(grows & ~burnable))
+        self.burnable += int(np.count_nonzero(burnable))
+        return np.asarray(burnable)
+
+    def require(self, legends: Mapping[str, Legend], grid: Grid, account: Account, unknown: str) -> None:
+        """Refuse, or warn of, what was found.
+
+        Parameters
+        ----------
+        legends
+            Of "vegetation" and "density".
+        grid
+            Of the whole.
+        account
+            Warnings are added to it.
+        unknown
+            "refuse" or "nonburnable".
+
+        Raises
+        ------
+        LegendError
+            For codes that a legend does not list, with their areas.
+        InputError
+            If nothing can burn.
+        """
+        for name, codes in self.unknown.items():
+            if codes:
+                _refuse_unknown(codes, legends[name], name, grid, account, unknown)
+        cells = grid.shape[0] * grid.shape[1]
+        if self.lacking:
+            account.warn(
+                f"{self.lacking} cells with vegetation have no density and are taken as not burnable "
+                f"({self.lacking / cells:.2%} of the grid)"
+            )
+        if self.blind:
+            account.warn(
+                f"{self.blind} cells with fuel have no elevation and are taken as not burnable "
+                f"({self.blind / cells:.2%} of the grid)"
+            )
+        if not self.burnable:
+            raise InputError(
+                "no cell can burn: nowhere do vegetation, density and elevation meet; check the legend and "
+                "the no-data values"
+            )
 
 
 def given_instead(legend: Legend, density_legend: Legend | None) -> set[str]:
@@ -132,38 +192,48 @@ def _merge(own: np.ndarray | None, given: np.ndarray | None, replaced: np.ndarra
     return np.where(replaced, blank if given is None else given, blank if own is None else own)
 
 
-def _look_up(values: np.ndarray, legend: Legend, name: str, grid: Grid, account: Account, unknown: str) -> np.ndarray:
-    """Index of the legend's entry for each cell, -1 where there is no data."""
+def _look_up(values: np.ndarray, legend: Legend) -> tuple[np.ndarray, dict[float, int]]:
+    """Index of the legend's entry for each cell, -1 where there is no data; cells of each code that it does not list.
+
+    Of a legend with ranges the ends of the unknown stand for all of them, since its values may all differ.
+    """
     index = legend.find(values)
-    strange = (index < 0) & np.isfinite(values)
+    strange = values[(index < 0) & np.isfinite(values)]
     missing = legend.column("missing", 0)
     if missing.any():
         index = np.where(missing[index] == 1, -1, index)
-    if not strange.any():
-        return index
-    told = _areas(values[strange], legend, grid)
+    if not strange.size:
+        return index, {}
+    if legend.continuous and strange.min() < strange.max():
+        return index, {float(strange.min()): 1, float(strange.max()): strange.size - 1}
+    codes, counts = np.unique(strange, return_counts=True)
+    return index, dict(zip(codes.tolist(), counts.tolist(), strict=True))
+
+
+def _refuse_unknown(
+    codes: Mapping[float, int], legend: Legend, name: str, grid: Grid, account: Account, unknown: str
+) -> None:
+    areas = _areas(codes, legend, grid)
     if unknown == "refuse":
         raise LegendError(
-            f"the {name} raster holds codes that the legend {legend.name} does not list: {told}. Give the "
+            f"the {name} raster holds codes that the legend {legend.name} does not list: {areas}. Give the "
             f"right legend "
             f"(--legend, --density-legend), add the codes to an own one, declare no data (--src-nodata "
             f"{name}=...), or take them "
-            "as land without fuel (--unknown nonburnable)" + _hint(values[strange], legend, name)
+            "as land without fuel (--unknown nonburnable)" + _hint(codes, legend, name)
         )
-    account.warn(f"{name}: codes not in the legend {legend.name} were taken as land without fuel: {told}")
-    return index
+    account.warn(f"{name}: codes not in the legend {legend.name} were taken as land without fuel: {areas}")
 
 
-def _areas(values: np.ndarray, legend: Legend, grid: Grid) -> str:
+def _areas(codes: Mapping[float, int], legend: Legend, grid: Grid) -> str:
     if legend.continuous:
-        return f"{values.min():g} to {values.max():g} ({values.size * grid.cell_area_ha:.6g} ha)"
-    codes, counts = np.unique(values, return_counts=True)
-    order = np.argsort(-counts, kind="stable")[:LISTED]
-    told = ", ".join(f"{codes[i]:g} ({counts[i] * grid.cell_area_ha:.6g} ha)" for i in sorted(order))
-    return told + (f" and {codes.size - LISTED} more" if codes.size > LISTED else "")
+        return f"{min(codes):g} to {max(codes):g} ({sum(codes.values()) * grid.cell_area_ha:.6g} ha)"
+    most = sorted(codes, key=lambda code: (-codes[code], code))[:LISTED]
+    told = ", ".join(f"{code:g} ({codes[code] * grid.cell_area_ha:.6g} ha)" for code in sorted(most))
+    return told + (f" and {len(codes) - LISTED} more" if len(codes) > LISTED else "")
 
 
-def _hint(values: np.ndarray, legend: Legend, name: str) -> str:
-    if name == "density" and not legend.continuous and values.max() <= 100 and np.unique(values).size > LISTED:
+def _hint(codes: Mapping[float, int], legend: Legend, name: str) -> str:
+    if name == "density" and not legend.continuous and max(codes) <= 100 and len(codes) > LISTED:
         return "; if it is a cover in percent, take the density legend canopy_cover or tree_cover_density"
     return ""

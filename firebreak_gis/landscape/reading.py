@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.errors import InputError, ParameterError
+from firebreak_gis.errors import ParameterError
 from firebreak_gis.grid import Grid
-from firebreak_gis.landscape.fuel import Fuel, burnable_cells, fuel_of
+from firebreak_gis.landscape.fuel import Fuel, Lacks, fuel_of
 from firebreak_gis.landscape.layers import codes_on, elevation_on
 from firebreak_gis.landscape.legends import Legend
 from firebreak_gis.landscape.request import LandscapeRequest, Unknown
 from firebreak_gis.landscape.surveying import Survey, survey
-from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.memory import require_memory
 from firebreak_gis.progress import Progress, silent
 from firebreak_gis.schema import annotate
@@ -172,33 +171,23 @@ def read_surveyed(request: LandscapeRequest, found: Survey, *, progress: Progres
     if "density" in layers:
         cover = codes_on(layers["density"], grid, "density", found.density_legend, account)
     report(0.9, "legend")
-    fuel = fuel_of(codes, cover, found.legend, found.density_legend, grid, account, unknown)
-    result = _assemble(grid, elevation, fuel, account)
-    result.attrs.update(legend=found.legend.name, alignment=account.alignment, warnings=account.warnings)
+    fuel, lacks = fuel_of(codes, cover, found.legend, found.density_legend), Lacks()
+    planes = planes_of(elevation, fuel, lacks)
+    lacks.require(found.legends, grid, account, unknown)
+    result = assembled(found, grid, planes)
     report(1.0, "landscape read")
     return result
 
 
-def _assemble(grid: Grid, elevation: np.ndarray, fuel: Fuel, account: Account) -> xr.Dataset:
+def planes_of(elevation: np.ndarray, fuel: Fuel, lacks: Lacks) -> dict[str, np.ndarray]:
+    """Variables of a landscape, or of a part of it, each (rows, cols); what lacks is added to `lacks`."""
+    planes = {"elevation": elevation, "vegetation": fuel.vegetation, "density": fuel.density, **fuel.instead}
+    return planes | {"burnable": lacks.add(fuel, elevation)}
+
+
+def assembled(found: Survey, grid: Grid, planes: Mapping[str, np.ndarray]) -> xr.Dataset:
+    """Variables on a grid as a landscape with its account so far."""
     import xarray as xr
 
-    layers: dict[str, np.ndarray] = {
-        "elevation": elevation,
-        "vegetation": fuel.vegetation,
-        "density": fuel.density,
-        **fuel.instead,
-    }
-    burnable = burnable_cells(layers)
-    blind = int(np.count_nonzero((fuel.vegetation > 0) & (fuel.density > 0) & ~np.isfinite(elevation)))
-    if blind:
-        account.warn(
-            f"{blind} cells with fuel have no elevation and are taken as not burnable "
-            f"({blind / burnable.size:.2%} of the grid)"
-        )
-    if not burnable.any():
-        raise InputError(
-            "no cell can burn: nowhere do vegetation, density and elevation meet; check the legend and "
-            "the no-data values"
-        )
-    layers["burnable"] = burnable
-    return xr.Dataset({name: annotate(grid.dataarray(values, name)) for name, values in layers.items()})
+    told = {"legend": found.legend.name, "alignment": found.account.alignment, "warnings": found.account.warnings}
+    return xr.Dataset({name: annotate(grid.dataarray(values, name)) for name, values in planes.items()}, attrs=told)

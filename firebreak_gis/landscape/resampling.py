@@ -213,7 +213,7 @@ def touched(mask: np.ndarray, placed: Placed, grid: Grid, sides: tuple[float, fl
         )
         x, y = _apply(placed.transform, x.ravel(), y.ravel())
         x, y = transform(placed.crs, grid.crs, x, y)
-        target_col, target_row = _apply(~grid.transform, x, y)
+        target_col, target_row = grid.position(x, y)
         _, r, c = _inside(target_row, target_col, grid.shape)
         found[r, c] = True
     return found
@@ -305,7 +305,7 @@ def _target_cells(placed: Placed, grid: Grid) -> Iterator[tuple[slice, np.ndarra
         row = placed.row + np.arange(rows.start, rows.stop)[:, np.newaxis] + 0.5
         x, y = _apply(placed.transform, *np.broadcast_arrays(col, row))
         x, y = transform(placed.crs, grid.crs, x, y)
-        target_col, target_row = _apply(~grid.transform, x, y)
+        target_col, target_row = grid.position(x, y)
         inside, r, c = _inside(target_row, target_col, grid.shape)
         index = np.full(inside.shape, -1, dtype=np.int64)
         index[inside] = r * grid.shape[1] + c

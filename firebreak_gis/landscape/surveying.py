@@ -65,6 +65,11 @@ class Survey:
         )
 
     @property
+    def legends(self) -> dict[str, Legend]:
+        """By the layer that they are for."""
+        return {"vegetation": self.legend, "density": self.density_legend}
+
+    @property
     def memory(self) -> int:
         """Estimated peak of reading it, bytes."""
         planes = sum(not np.isnan(self.legend.column(name, np.nan)).all() for name in BURNING.values())

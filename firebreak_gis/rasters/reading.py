@@ -14,15 +14,12 @@ from firebreak_gis.errors import GridError, InputError
 from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.rasters.header import Header, read_header, require_georeferenced
+from firebreak_gis.rasters.nodata import is_value, told_of, undeclared_nodata
 from firebreak_gis.rasters.opening import open_raster
 from firebreak_gis.schema import VARIABLES, Variable
 
 if TYPE_CHECKING:
     import xarray as xr
-
-#: Numbers that programs write for "no data" without saying so; below the last one all are.
-SENTINELS = (-9999.0, -99999.0, -32768.0, -32767.0, 32767.0, 65535.0, 1e20)
-LOWEST_VALUE = -1e30
 
 #: Row and column of the first cell, then rows and columns.
 Window = tuple[int, int, int, int]
@@ -73,21 +70,14 @@ def read_cells(header: Header, window: Window | None = None, *, strict: bool = F
     values, valid = _stored(header, window)
     notes, said = list(header.notes), list[str]()
     for value in header.nodata:
-        valid &= ~_is_value(values, value)
+        valid &= ~is_value(values, value)
     if values.dtype.kind == "f":
         valid &= ~np.isnan(values)
     if sentinels and not header.nodata and not header.masked and not header.declared:
         found = undeclared_nodata(values, valid)
-        if found:
-            text = ", ".join(f"{v:g}" for v in found)
-            if strict:
-                raise InputError(
-                    f"{header.path} uses {text} as no data without declaring it; "
-                    f"declare it: gdal_edit.py -a_nodata {found[0]:g} FILE (or --src-nodata)"
-                )
-            notes.append(f"{text} is not declared as no data but stands for it; taken as no data")
-            for value in found:
-                valid &= ~_is_value(values, value)
+        notes += told_of(found, header.path, strict=strict)
+        for value in found:
+            valid &= ~is_value(values, value)
     infinite = int(np.count_nonzero(np.isinf(values) & valid)) if values.dtype.kind == "f" else 0
     if infinite:
         raise InputError(
@@ -286,32 +276,6 @@ def require_role(path: str | os.PathLike[str], name: str, *, known: bool = False
 TAG = "FIREBREAK_"
 
 
-def undeclared_nodata(values: np.ndarray, valid: np.ndarray) -> list[float]:
-    """Return well-known "no data" numbers that stand far off all other valid values.
-
-    A number counts when it is the least or greatest value and its gap to the rest is wider than the
-    range of the rest: -9999 among elevations of 0 to 2500 does, -9999 among -12000 to 500 does not.
-    """
-    found: list[float] = []
-    rest = values[valid]
-    for _ in range(2):
-        if rest.size == 0:
-            break
-        for extreme in (float(rest.min()), float(rest.max())):
-            if extreme not in SENTINELS and extreme > LOWEST_VALUE:
-                continue
-            others = rest[rest != extreme]
-            if others.size == 0:
-                continue
-            low, high = float(others.min()), float(others.max())
-            gap = low - extreme if extreme < low else extreme - high
-            if gap > high - low or extreme <= LOWEST_VALUE:
-                found.append(extreme)
-                rest = others
-                break
-    return found
-
-
 def _stored(header: Header, window: Window) -> tuple[np.ndarray, np.ndarray]:
     row, col, rows, cols = window
     if header.array is not None:
@@ -335,17 +299,6 @@ def _stored(header: Header, window: Window) -> tuple[np.ndarray, np.ndarray]:
                 f"{header.path} is damaged or cut off: its values cannot be read; copy or export it again"
             ) from error
     return values, valid
-
-
-def _is_value(values: np.ndarray, value: float) -> np.ndarray:
-    if np.isnan(value):
-        return np.isnan(values) if values.dtype.kind == "f" else np.zeros(values.shape, dtype=bool)
-    if values.dtype.kind == "f":
-        # -3.4e38 is written with different roundings by different programs.
-        if abs(value) > 1e30:
-            return np.abs(values / value - 1) < 1e-5
-        return np.asarray(values == values.dtype.type(value))
-    return np.asarray(values == int(value))
 
 
 def _grid_north_up(header: Header) -> Grid:

@@ -22,7 +22,7 @@ from firebreak_gis.errors import (
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.rasters import writing
-from firebreak_gis.rasters.reading import undeclared_nodata
+from firebreak_gis.rasters.nodata import undeclared_nodata
 from firebreak_gis.styles import rasters as styles
 from tests.places import ROOT, patches, real, relief, shared, square, write
 
