@@ -27,44 +27,6 @@ _SOURCE = np.uint8(1)
 _SINK = np.uint8(2)
 
 
-@kernel
-def patch_links(
-    cells: np.ndarray, links: np.ndarray, rows: int, cols: int, row_step: np.ndarray, col_step: np.ndarray
-) -> np.ndarray:
-    """Neighbours within a patch.
-
-    Parameters
-    ----------
-    cells
-        (n,) int64 row-major cell numbers.
-    links
-        (rows * cols,) uint8: bit d set where the cell is linked to its neighbour in direction d.
-
-    Returns
-    -------
-    numpy.ndarray
-        `near`.
-    """
-    n = cells.shape[0]
-    top, bottom, left, right = rows, -1, cols, -1
-    for i in range(n):
-        row, col = cells[i] // cols, cells[i] % cols
-        top, bottom = min(top, row), max(bottom, row)
-        left, right = min(left, col), max(right, col)
-    local = np.full((max(bottom - top + 1, 0), max(right - left + 1, 0)), -1, np.int32)
-    for i in range(n):
-        local[cells[i] // cols - top, cells[i] % cols - left] = i
-    near = np.full((n, 8), -1, np.int32)
-    for i in range(n):
-        row, col = cells[i] // cols, cells[i] % cols
-        for d in range(8):
-            if (links[cells[i]] >> d) & 1:
-                r, c = (row + row_step[d]) % rows, (col + col_step[d]) % cols
-                if top <= r <= bottom and left <= c <= right:
-                    near[i, d] = local[r - top, c - left]
-    return near
-
-
 @inlined
 def _opposite(d: int) -> int:
     return (d + 4) & 7
@@ -286,6 +248,47 @@ def _rim(near: np.ndarray, end: np.ndarray, rim: np.ndarray) -> int:
     return n_rim
 
 
+@inlined
+def _judge(
+    capacity: np.ndarray,
+    ignition: np.ndarray,
+    value: np.ndarray,
+    end: np.ndarray,
+    level: np.ndarray,
+    side: int,
+    loss: float,
+    total_ignition: float,
+    total_value: float,
+) -> tuple[float, float]:
+    """Score and cost of the cut next to the sink (side 0) or to the source (1), whose nodes have a level."""
+    own_ignition, own_value, cut_ignition, cut_value, cost = 0.0, 0.0, 0.0, 0.0, 0.0
+    for v in range(capacity.size):
+        if side == 0:  # the sink has reached some exits
+            inside, outside = level[2 * v] >= 0 or end[v] == _SINK, level[2 * v + 1] < 0
+        else:  # the source has reached some entries
+            inside, outside = level[2 * v + 1] >= 0, level[2 * v] < 0
+        if inside:
+            own_ignition += ignition[v]
+            own_value += value[v]
+        elif not outside:
+            cut_ignition += ignition[v]
+            cut_value += value[v]
+            cost += capacity[v]
+    rest = (total_ignition - own_ignition - cut_ignition) * (total_value - own_value - cut_value)
+    return (loss - own_ignition * own_value - rest) / loss / max(cost, 1.0), cost
+
+
+@inlined
+def _mark(end: np.ndarray, level: np.ndarray, side: int, cut: np.ndarray) -> None:
+    """Set `cut` to 1 in the cells of the cut, and to 2 on its side."""
+    for v in range(cut.size):
+        if side == 0:
+            inside, outside = level[2 * v] >= 0 or end[v] == _SINK, level[2 * v + 1] < 0
+        else:
+            inside, outside = level[2 * v + 1] >= 0, level[2 * v] < 0
+        cut[v] = 2 if inside else 0 if outside else 1
+
+
 @kernel
 def best_cut(
     near: np.ndarray,
@@ -307,7 +310,7 @@ def best_cut(
     shares
         (n_shares,) float64, rising, below .5: the ends hold this share of the patch.
     cut
-        (n,) uint8, set to 1 in the cells of the best cut.
+        (n,) uint8, set to 1 in the cells of the best cut, to 2 in those on one side of it.
 
     Returns
     -------
@@ -357,79 +360,58 @@ def best_cut(
             for side in range(2):
                 if side == 1:
                     _reached(near, capacity, through, flow, end, level, queue)
-                own_ignition, own_value, cut_ignition, cut_value, cost = 0.0, 0.0, 0.0, 0.0, 0.0
-                for v in range(n):
-                    if side == 0:  # the sink has reached some exits
-                        inside, outside = level[2 * v] >= 0 or end[v] == _SINK, level[2 * v + 1] < 0
-                    else:  # the source has reached some entries
-                        inside, outside = level[2 * v + 1] >= 0, level[2 * v] < 0
-                    if inside:
-                        own_ignition += ignition[v]
-                        own_value += value[v]
-                    elif not outside:
-                        cut_ignition += ignition[v]
-                        cut_value += value[v]
-                        cost += capacity[v]
-                rest = (total_ignition - own_ignition - cut_ignition) * (total_value - own_value - cut_value)
-                saved = (loss - own_ignition * own_value - rest) / loss
-                score = saved / max(cost, 1.0)
+                score, cost = _judge(capacity, ignition, value, end, level, side, loss, total_ignition, total_value)
                 if score > best:
                     best = score
                     best_cost = cost
-                    for v in range(n):
-                        if side == 0:
-                            cut[v] = level[2 * v + 1] >= 0 and level[2 * v] < 0 and end[v] != _SINK
-                        else:
-                            cut[v] = level[2 * v] >= 0 and level[2 * v + 1] < 0
+                    _mark(end, level, side, cut)
     return best, best_cost
 
 
 @kernel
-def pieces_after(near: np.ndarray, cut: np.ndarray) -> np.ndarray:
-    """Number of the connected piece of every cell once `cut` is removed, (n,) int32; -1 in the cut."""
+def cut_between(
+    near: np.ndarray,
+    capacity: np.ndarray,
+    ignition: np.ndarray,
+    value: np.ndarray,
+    end: np.ndarray,
+    cut: np.ndarray,
+) -> tuple[float, float]:
+    """Find the cheapest vertex cut between ends that are given; of those next to either end that which saves more.
+
+    Parameters
+    ----------
+    end
+        (n,) uint8: 1 and 2 in the cells of the ends, which are not adjacent.
+    ignition, value, cut
+        As in `best_cut`, as is what is returned.
+    """
     n = near.shape[0]
-    label = np.full(n, -1, np.int32)
-    queue = np.empty(n, np.int32)
-    count = 0
-    for start in range(n):
-        if label[start] >= 0 or cut[start] != 0:
-            continue
-        label[start] = count
-        queue[0] = start
-        head, tail = 0, 1
-        while head < tail:
-            v = queue[head]
-            head += 1
-            for d in range(8):
-                u = near[v, d]
-                if u >= 0 and label[u] < 0 and cut[u] == 0:
-                    label[u] = count
-                    queue[tail] = u
-                    tail += 1
-        count += 1
-    return label
-
-
-@kernel
-def thin(near: np.ndarray, cut: np.ndarray) -> None:
-    """Clear `cut` in the cells that join no two pieces; minimum cuts hold such cells only where cutting is free."""
-    label = pieces_after(near, cut)
-    fresh = near.shape[0]
-    again = True
-    while again:
-        again = False
-        for least in (1, 0):  # a cell inside the wall is left last, as a piece of its own
-            for v in range(near.shape[0]):
-                if cut[v] == 0 or (again and least == 0):
-                    continue
-                own, several = -1, False
-                for d in range(8):
-                    u = near[v, d]
-                    if u >= 0 and cut[u] == 0:
-                        several |= own >= 0 and label[u] != own
-                        own = label[u]
-                if not several and (own >= 0 or least == 0):
-                    cut[v] = 0
-                    label[v] = own if own >= 0 else fresh
-                    fresh += 1
-                    again = True
+    total_ignition, total_value = ignition.sum(), value.sum()
+    loss = total_ignition * total_value
+    best = 0.0
+    best_cost = 0.0
+    cut[:] = 0
+    if loss <= 0.0:
+        return best, best_cost
+    through = np.zeros(n, np.int32)
+    flow = np.zeros((n, 8), np.int32)
+    rim = np.empty(n, np.int32)
+    level = np.empty(2 * n, np.int32)
+    queue = np.empty(2 * n, np.int32)
+    pointer = np.empty(2 * n, np.uint8)
+    sent = np.int64(0)
+    n_rim = _rim(near, end, rim)
+    while _levels(near, capacity, through, flow, end, rim, n_rim, level, queue):
+        sent += _blocking(near, capacity, through, flow, end, level, pointer, queue)
+        if sent >= UNCUTTABLE:
+            return best, best_cost
+    for side in range(2):
+        if side == 1:
+            _reached(near, capacity, through, flow, end, level, queue)
+        score, cost = _judge(capacity, ignition, value, end, level, side, loss, total_ignition, total_value)
+        if score > best:
+            best = score
+            best_cost = cost
+            _mark(end, level, side, cut)
+    return best, best_cost

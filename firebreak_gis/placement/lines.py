@@ -8,7 +8,7 @@ that costs less. What counts is the drawn line: its length, its cost, and the li
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -17,11 +17,12 @@ import numpy as np
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.kernels.crossings import PARTS, cross_links
 from firebreak_gis.kernels.drawing import channels, landings, lines_in, prices_of
-from firebreak_gis.kernels.flow import patch_links
 from firebreak_gis.kernels.linkflow import MOST, best_link_cut, link_costs
+from firebreak_gis.kernels.patches import patch_links
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
-from firebreak_gis.placement.dissection import batches, best_walls, ordered, pieces_of, work_of
+from firebreak_gis.placement.dissection import batches, work_of
 from firebreak_gis.placement.edges import links
+from firebreak_gis.placement.patches import ordered, pieces_of
 from firebreak_gis.progress import part
 from firebreak_gis.threads import run_pieces
 
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 
 #: Costs of a link along an axis and across; where prices differ, of one of the median price.
 _EQUAL, _DIFFERENT = (17.0, 12.0), (170.0, 120.0)
+#: Compartments with more cells are searched in one direction a piece of work, so that all threads are busy.
+_LARGE = 20_000
 #: Gates of a channel from which on its line may leave it.
 _SHORT = 4
 #: Share of what a cut saves that its line must save after it was pulled straight.
@@ -273,7 +276,7 @@ def _walls(
     message: str,
 ) -> list[_Drawn | None]:
     """The best wall of every compartment."""
-    sides = best_walls(
+    sides = _best_sides(
         compartments, field.cut, directions, threads=threads, progress=part(progress, 0.0, 0.8), message=message
     )
     walls: list[_Drawn | None] = [None] * len(compartments)
@@ -285,3 +288,44 @@ def _walls(
     step = part(progress, 0.8, 1.0)
     run_pieces(draw, batches(compartments), threads=threads, progress=step, message=message)
     return walls
+
+
+def _best_sides(
+    compartments: Sequence[np.ndarray],
+    cut: Callable[[np.ndarray, Sequence[int]], tuple[float, np.ndarray]],
+    directions: int,
+    *,
+    threads: int | None,
+    progress: Progress,
+    message: str = "",
+) -> list[np.ndarray]:
+    """The sides of the best wall of every compartment, as `cut` marks them.
+
+    Parameters
+    ----------
+    compartments
+        Cells of each.
+    cut
+        Returns the score and the mark of the best wall of some cells over some directions.
+    directions
+        How many there are; of equal walls that of the first counts.
+    """
+    every = range(directions)
+    tasks: list[list[tuple[int, Sequence[int]]]] = []
+    for batch in batches(compartments):
+        if compartments[batch[0]].size > _LARGE:
+            tasks += [[(batch[0], [k])] for k in every]
+        else:
+            tasks.append([(i, every) for i in batch])
+    found: dict[tuple[int, int], tuple[float, np.ndarray]] = {}
+
+    def work(task: list[tuple[int, Sequence[int]]]) -> None:
+        for i, chosen in task:
+            found[i, chosen[0]] = cut(compartments[i], chosen)
+
+    run_pieces(work, tasks, threads=threads, progress=progress, message=message)
+    best = []
+    for i in range(len(compartments)):
+        options = [found[i, k] for k in every if (i, k) in found]
+        best.append(max(options, key=lambda option: option[0])[1])  # the first of equals
+    return best

@@ -2,10 +2,11 @@
 
 What network science calls dismantling by nested dissection: small separators first cut the whole, then its parts.
 
-Each compartment is split by the exact minimum vertex cut between opposite ends, in several directions, that saves
-the largest expected loss for its cost; the pieces are split in turn. Costs are the capacities, protected cells are
-never in a wall, cells without fuel are free, and ignitions and values at risk set what a wall saves. Walls stop
-spread over corners too. A wall is worth little before it is closed, so budgets between two walls gain little.
+Each compartment is split by the minimum vertex cut between opposite ends, in several directions, that saves
+the largest expected loss for its cost; the pieces are split in turn. Compartments of more than 4,096 cells are
+searched coarsely first, and their walls are exact in a band around the coarse ones. Costs are the capacities, protected
+cells are never in a wall, cells without fuel are free, and ignitions and values at risk set what a wall saves. Walls
+stop spread over corners too. A wall is worth little before it is closed, so budgets between two walls gain little.
 
 Breaks that leak need width: walls are sought by the cost of their full width and each is built in full width
 before the next. With a `residual` above 0 the width is chosen by simulated fires, and walls keep to fuel that is hard
@@ -42,6 +43,9 @@ if TYPE_CHECKING:
     from firebreak_gis.progress import Progress
     from firebreak_gis.ranking import Ranked
     from firebreak_gis.stakes import Stakes
+
+    #: Walls, and (rows, cols) the size of the smallest compartment around each cell that they split.
+    Walls = tuple[list[Cut], np.ndarray]
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
 MEMORY = (400, 60)
@@ -128,9 +132,9 @@ def rankings(
     from firebreak_gis.ranking import Ranked
 
     walls: dict[Params, np.ndarray] = {}
-    sought: dict[Params, list[Cut]] = {}
+    sought: dict[Params, Walls] = {}
 
-    def cuts_for(params: Params, width: int, progress: Progress) -> list[Cut]:
+    def cuts_for(params: Params, width: int, progress: Progress) -> Walls:
         key = Params(params.directions, params.smallest, width, residual=float(params.residual > 0.0))
         if key not in sought:
             sought[key] = _as_it_lies(network, stakes, params, width, progress)
@@ -176,9 +180,9 @@ def _walls_first(network: SpreadNetwork, params: Params, stakes: Stakes, width: 
     from firebreak_gis.placement.dissection import lines_first
     from firebreak_gis.placement.widening import walls
 
-    cuts = _cuts(network, stakes, params, width, progress)
+    cuts, sizes = _cuts(network, stakes, params, width, progress)
     cells, _ = walls(_in_sequence(cuts, network, stakes, width), network, stakes, width)
-    return lines_first(cells, stakes, _smallest_compartment(network, cuts))
+    return lines_first(cells, stakes, sizes)
 
 
 def _tried_out(
@@ -186,7 +190,7 @@ def _tried_out(
     params: Params,
     stakes: Stakes,
     trial: Trial,
-    cuts_of: Callable[[Params, int, Progress], list[Cut]],
+    cuts_of: Callable[[Params, int, Progress], Walls],
     progress: Progress,
 ) -> Ranked:
     from firebreak_gis.breaks import Budget
@@ -203,22 +207,22 @@ def _tried_out(
         for k, width in enumerate(sought)
     ]
 
-    def cuts_for(width: int) -> list[Cut]:
+    def cuts_for(width: int) -> Walls:
         return made[-1] if width >= sought[-1] else made[0]
 
     chosen = best_layout(
         network,
         stakes,
         trial,
-        lambda width, chance: _in_sequence(cuts_for(width), network, stakes, width, chance),
+        lambda width, chance: _in_sequence(cuts_for(width)[0], network, stakes, width, chance),
         money=Budget.of_cost_share(params.cost_share, stakes).amount,
         narrowest=params.least_width,
         progress=part(progress, 0.5, 1.0),
     )
-    return Ranked(lines_first(chosen.cells, stakes, _smallest_compartment(network, cuts_for(1))), chosen.told)
+    return Ranked(lines_first(chosen.cells, stakes, cuts_for(1)[1]), chosen.told)
 
 
-def _as_it_lies(network: SpreadNetwork, stakes: Stakes, params: Params, width: int, progress: Progress) -> list[Cut]:
+def _as_it_lies(network: SpreadNetwork, stakes: Stakes, params: Params, width: int, progress: Progress) -> Walls:
     """Walls found on the map in its standard orientation, in the numbers of the cells as it lies."""
     from firebreak_gis.placement.orientation import in_standard_orientation
 
@@ -226,26 +230,29 @@ def _as_it_lies(network: SpreadNetwork, stakes: Stakes, params: Params, width: i
 
     def standard(turned: SpreadNetwork, placed: Stakes, turn: Turn) -> np.ndarray:
         number = turn(np.arange(network.burnable.size).reshape(network.shape)).ravel()
-        found = _cuts(turned, placed, params, width, progress)
-        cuts.extend(replace(cut, cells=number[cut.cells], compartment=number[cut.compartment]) for cut in found)
-        return np.zeros(turned.shape)
+        found, sizes = _cuts(turned, placed, params, width, progress)
+        cuts.extend(replace(cut, cells=number[cut.cells]) for cut in found)
+        return sizes
 
-    in_standard_orientation(network, stakes, standard)
-    return cuts
+    sizes = in_standard_orientation(network, stakes, standard)
+    return cuts, sizes
 
 
-def _cuts(network: SpreadNetwork, stakes: Stakes, params: Params, width: int, progress: Progress) -> list[Cut]:
+def _cuts(network: SpreadNetwork, stakes: Stakes, params: Params, width: int, progress: Progress) -> Walls:
     from firebreak_gis.placement.dissection import dissect
 
-    return dissect(
+    sizes = np.zeros(network.burnable.size, np.int32)
+    cuts = dissect(
         network,
         stakes,
         width=width,
         leaky=params.residual > 0.0,
         directions=params.directions,
         smallest=max(params.smallest, width * width),
+        sizes=sizes,
         progress=progress,
     )
+    return cuts, sizes.reshape(network.shape)
 
 
 def _in_sequence(
@@ -263,10 +270,3 @@ def _in_sequence(
     saved = [cut.saved * (1.0 if chance is None else chance(cut.cells)) for cut in cuts]
     order = sequence(saved, costs, [cut.parent for cut in cuts])
     return [cuts[i].cells for i in order]
-
-
-def _smallest_compartment(network: SpreadNetwork, cuts: list[Cut]) -> np.ndarray:
-    score = np.zeros(network.shape)
-    for cut in cuts:  # parents come first, so the smallest compartment of a cell counts
-        score.ravel()[cut.compartment] = cut.compartment.size
-    return score

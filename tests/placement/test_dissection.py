@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import itertools
+from typing import Any
 
 import networkx as nx
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.ndimage import gaussian_filter
 
 from firebreak_gis.breaks import removal_order, select_breaks
-from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, patch_links
+from firebreak_gis.kernels.coarse import band, blocks
+from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, cut_between
+from firebreak_gis.kernels.patches import patch_links
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.network import SpreadNetwork
-from firebreak_gis.placement.dissection import Cut, capacities, dissect, sequence
+from firebreak_gis.placement.dissection import Cut, dissect, sequence
 from firebreak_gis.placement.edges import links
+from firebreak_gis.placement.patches import capacities
 from firebreak_gis.placement.patterns import ExpectedLoss
 from firebreak_gis.placement.widening import walls
 from firebreak_gis.progress import silent
@@ -25,6 +30,8 @@ from tests.twins import centrality
 from tests.twins import placement as twin
 
 SEEDS = st.integers(0, 10_000)
+#: Patches of more cells are searched coarsely first: those of the tests, or none.
+COARSE = st.sampled_from([40, 100, 100_000])
 LANDSCAPES = settings(max_examples=15, deadline=None, derandomize=True)
 
 
@@ -57,17 +64,32 @@ def pieces(graph: nx.Graph, without: np.ndarray, cols: int) -> list[set[tuple[in
     return list(nx.connected_components(left))
 
 
-def cuts_of(network: SpreadNetwork, stakes: Stakes, **options: int) -> list[Cut]:
+def compartments_of(network: SpreadNetwork, cuts: list[Cut]) -> list[np.ndarray]:
+    """Cells of the compartment that each wall splits: what its parents leave connected around it."""
+    found: list[np.ndarray] = []
+    for cut in cuts:
+        whole = np.flatnonzero(network.burnable.ravel())
+        if cut.parent >= 0:
+            whole = np.setdiff1d(found[cut.parent], cuts[cut.parent].cells)
+        graph = graph_of(network, whole)
+        piece = nx.node_connected_component(graph, divmod(int(cut.cells[0]), network.shape[1]))
+        found.append(np.sort([row * network.shape[1] + col for row, col in piece]))
+        assert found[-1].size == cut.size
+    return found
+
+
+def cuts_of(network: SpreadNetwork, stakes: Stakes, **options: Any) -> list[Cut]:
     return dissect(network, stakes, progress=silent, **options)
 
 
 @LANDSCAPES
-@given(seed=SEEDS)
-def test_every_wall_separates_and_needs_all_its_cells(seed):
+@given(seed=SEEDS, coarse=COARSE)
+def test_every_wall_separates_and_needs_all_its_cells(seed, coarse):
     network, stakes = landscape(seed)
     cols = network.shape[1]
-    for cut in cuts_of(network, stakes):
-        graph = graph_of(network, cut.compartment)
+    cuts = cuts_of(network, stakes, coarse_from=coarse)
+    for cut, compartment in zip(cuts, compartments_of(network, cuts), strict=True):
+        graph = graph_of(network, compartment)
         assert nx.is_connected(graph)
         sides = pieces(graph, cut.cells, cols)
         assert len(sides) > 1
@@ -77,19 +99,20 @@ def test_every_wall_separates_and_needs_all_its_cells(seed):
 
 
 @LANDSCAPES
-@given(seed=SEEDS)
-def test_walls_nest_and_keep_off_what_is_protected(seed):
+@given(seed=SEEDS, coarse=COARSE)
+def test_walls_nest_and_keep_off_what_is_protected(seed, coarse):
     network, stakes = landscape(seed)
-    cuts = cuts_of(network, stakes)
-    for cut in cuts:
+    sizes = np.zeros(network.burnable.size, int)
+    cuts = cuts_of(network, stakes, coarse_from=coarse, sizes=sizes)
+    compartments = compartments_of(network, cuts)
+    smallest = np.zeros_like(sizes)
+    for cut, compartment in zip(cuts, compartments, strict=True):
+        smallest[compartment] = cut.size
         assert network.burnable.ravel()[cut.cells].all()
         assert not stakes.protected.ravel()[cut.cells].any()
         assert cut.cost == pytest.approx(stakes.cost.ravel()[cut.cells].sum())
-        assert np.isin(cut.cells, cut.compartment).all()
-        if cut.parent >= 0:
-            parent = cuts[cut.parent]
-            assert np.isin(cut.compartment, parent.compartment).all()
-            assert not np.isin(cut.compartment, parent.cells).any()
+        assert np.isin(cut.cells, compartment).all()
+    assert (smallest == sizes).all()
     assert sum(cut.cells.size for cut in cuts) == np.unique(np.concatenate([cut.cells for cut in cuts])).size
 
 
@@ -141,10 +164,22 @@ def test_a_cut_is_the_cheapest_between_its_ends(seed, share):
     source[cells[order[:end]]], sink[cells[order[cells.size - end :]]] = True, True
     kept = np.where(capacity >= UNCUTTABLE, np.inf, capacity).reshape(network.shape)
     expected = twin.minimum_cut(network, source.reshape(network.shape), sink.reshape(network.shape), kept)
-    assert (cost if mask.any() else np.inf) == expected
-    if mask.any():
-        assert capacity[cells[mask > 0]].sum() == expected
-        assert len(pieces(graph_of(network, cells), cells[mask > 0], network.shape[1])) > 1
+    ends = np.where(source.ravel()[cells], 1, np.where(sink.ravel()[cells], 2, 0)).astype(np.uint8)
+    between = np.zeros(cells.size, np.uint8)
+    _, same = cut_between(near, capacity[cells], one, one, ends, between)
+    for wall, price in ((mask, cost), (between, same)):
+        assert (price if wall.any() else np.inf) == expected
+        if wall.any():
+            assert capacity[cells[wall == 1]].sum() == expected
+            sides = pieces(graph_of(network, cells), cells[wall == 1], network.shape[1])
+            assert len(sides) > 1
+            of = [
+                {k for k, side in enumerate(sides) if side & {divmod(int(cell), network.shape[1]) for cell in part}}
+                for part in (cells[wall == 0], cells[wall == 2])
+            ]
+            assert of[0]
+            assert of[1]
+            assert not of[0] & of[1]
 
 
 def test_dear_land_is_left_alone():
@@ -181,7 +216,7 @@ def test_every_way_across_a_wide_wall_meets_its_width(width):
     stakes = Stakes(network)
     cut = cuts_of(network, stakes, width=width, smallest=500)[0]
     wall = set(walls([cut.cells], network, stakes, width)[0][0].tolist())
-    sides = pieces(graph_of(network, cut.compartment), cut.cells, network.shape[1])
+    sides = pieces(graph_of(network, compartments_of(network, [cut])[0]), cut.cells, network.shape[1])
     graph = nx.DiGraph()
     for a, b in network.to_networkx().edges:
         graph.add_edge(a, b, met=int(b[0] * network.shape[1] + b[1] in wall))
@@ -214,3 +249,63 @@ def test_threads_do_not_change_the_walls():
     one, two = (cuts_of(network, stakes, threads=threads, smallest=2000) for threads in (1, 3))
     assert len(one) == len(two)
     assert all((a.cells == b.cells).all() and a.parent == b.parent for a, b in zip(one, two, strict=True))
+
+
+@LANDSCAPES
+@given(seed=SEEDS, factor=st.sampled_from([2, 3, 5]))
+def test_blocks_are_the_connected_pieces_of_squares_and_linked_both_ways(seed, factor):
+    network, _ = landscape(seed)
+    rows, cols = network.shape
+    cells = np.flatnonzero(network.burnable.ravel())
+    graph = graph_of(network, cells)
+    label, near = blocks(cells, links(network).ravel(), rows, cols, np.array(ROW_STEP), np.array(COL_STEP), factor)
+    places = [divmod(int(cell), cols) for cell in cells]
+    expected = nx.Graph(
+        (a, b) for a, b in graph.edges if (a[0] // factor, a[1] // factor) == (b[0] // factor, b[1] // factor)
+    )
+    expected.add_nodes_from(places)
+    of = dict(zip(places, label.tolist(), strict=True))
+    assert {frozenset(group) for group in nx.connected_components(expected)} == {
+        frozenset(place for place in places if of[place] == number) for number in range(near.shape[0])
+    }
+    linked = {frozenset((of[a], of[b])) for a, b in graph.edges if of[a] != of[b]}
+    for v, row in enumerate(near):
+        for d, u in enumerate(row.tolist()):
+            if u >= 0:
+                assert near[u, (d + 4) % 8] == v
+                assert frozenset((v, u)) in linked
+    alone = [v for v in range(near.shape[0]) if (near[v] < 0).all()]
+    assert len(alone) <= 0.3 * near.shape[0]  # a block is left alone only where others crowd it out
+
+
+@LANDSCAPES
+@given(seed=SEEDS, width=st.integers(0, 3))
+def test_a_band_is_what_lies_within_steps_of_the_seam(seed, width):
+    network, _ = landscape(seed)
+    rows, cols = network.shape
+    cells = np.flatnonzero(network.burnable.ravel())
+    graph = graph_of(network, cells)
+    side = np.random.default_rng(seed).choice([1, 2], cells.size).astype(np.uint8)
+    side[cells % cols < 8], side[cells % cols > 14] = 1, 2
+    side[cells % cols == 11] = 0
+    of = {divmod(int(cell), cols): int(mark) for cell, mark in zip(cells, side, strict=True)}
+    seam = [a for a in graph if of[a] == 0 or any(0 < of[b] != of[a] for b in graph[a])]
+    away = nx.multi_source_dijkstra_path_length(graph, seam)
+    expected = [1 if away.get(place, 99) <= width else 2 if away.get(place, 99) == width + 1 else 0 for place in of]
+    found = band(cells, side, links(network).ravel(), rows, cols, np.array(ROW_STEP), np.array(COL_STEP), width)
+    assert found.tolist() == expected
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_walls_found_coarsely_save_as_much_as_those_of_the_whole(seed):
+    random = np.random.default_rng(seed)
+    rough = sum(width * gaussian_filter(random.standard_normal((150, 150)), width, mode="wrap") for width in (1, 4, 16))
+    network = SpreadNetwork(np.full((8, 150, 150), 0.5), burnable=rough < np.quantile(rough, 0.8))
+    stakes = Stakes(network, cost=1 + random.integers(0, 3, network.shape), value=random.random(network.shape))
+    left = []
+    for coarse in (400, 10**9):
+        cuts = cuts_of(network, stakes, coarse_from=coarse)
+        order = sequence([c.saved for c in cuts], [c.cost for c in cuts], [c.parent for c in cuts])
+        spent = np.cumsum([cuts[i].cost for i in order]) / stakes.cost.sum()
+        left.append(1.0 - np.interp([0.02, 0.05, 0.1], spent, np.cumsum([cuts[i].saved for i in order])))
+    assert (left[0] <= 1.05 * left[1]).all()

@@ -17,8 +17,8 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.grid import parse_crs
 from firebreak_gis.kernels.crossings import PARTS, cross_links
 from firebreak_gis.kernels.drawing import channels, landings, lines_in, price_along, shortest
-from firebreak_gis.kernels.flow import patch_links, pieces_after
 from firebreak_gis.kernels.linkflow import MOST, UNCUTTABLE, best_link_cut, link_costs
+from firebreak_gis.kernels.patches import patch_links, pieces_after
 from firebreak_gis.landscape.lines import links_crossed
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.placement.edges import links
