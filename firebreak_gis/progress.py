@@ -99,3 +99,10 @@ class CompileClock:
 
 #: That of this process; `kernels.policy` runs it.
 COMPILING = CompileClock()
+
+
+def worked(work: Callable[[], object], now: Callable[[], float] = time.perf_counter) -> float:
+    """Seconds that work takes, less those of compiling."""
+    began, compiled = now(), COMPILING.seconds
+    work()
+    return max(now() - began - (COMPILING.seconds - compiled), 0.0)

@@ -86,6 +86,7 @@ def assess(
     upkeep: np.ndarray | None = None,
     fires_per_year: float = 1.0,
     seed: int = 0,
+    foreseen: Callable[[int, int], None] | None = None,
     progress: Progress | None = None,
 ) -> Assessment:
     """Judge existing breaks, and the gaps between them.
@@ -108,6 +109,8 @@ def assess(
         Fires that start in a year.
     seed
         Of the places and of the bootstrap.
+    foreseen
+        Told, before the work, how often `burnt` will be called with at most one break standing, and with most of them.
     progress
         Callback (share done, message).
 
@@ -141,7 +144,11 @@ def assess(
             "no break lies on a cell with fuel, so none can be judged; was the fuel taken off them before?"
         )
     gaps, left_out = find_gaps(existing, network.burnable, network.grid, longest=longest_gap, most=most_gaps)
-    runs = _Runs(network, burnt, 2 + (2 + placements) * len(own) + (1 + placements) * len(gaps.cells), progress)
+    # Alone and at random places; all but one, and with a gap closed.
+    few, most = 1 + (1 + placements) * len(own), 1 + len(own) + (1 + placements) * len(gaps.cells)
+    if foreseen is not None:
+        foreseen(few, most)
+    runs = _Runs(network, burnt, few + most, progress)
     bare, whole = runs(), runs(*own)
     rng = np.random.default_rng(seed)
     picks = resamples(bare.size, seed)

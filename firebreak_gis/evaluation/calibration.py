@@ -15,8 +15,9 @@ Never are more parameters fitted than there are fires.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -24,7 +25,7 @@ import numpy as np
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation import fire_sizes
 from firebreak_gis.evaluation.fire_sizes import Durations, Growth
-from firebreak_gis.evaluation.forecasting import Case, growth_of, open_case, run_case
+from firebreak_gis.evaluation.forecasting import Case, Foreseen, growth_of, open_case, run_case
 from firebreak_gis.evaluation.request import HOURS_A_DAY
 from firebreak_gis.evaluation.skill import area_matched, overlap
 from firebreak_gis.progress import Progress, part
@@ -44,6 +45,8 @@ _DAY, _LONGEST = 24 * 3600.0, 200 * 3600.0
 _FURTHER = 2.0
 #: The fit of a rate ends when mean size and observed size agree so well, or after so many simulations.
 _CLOSE, _MOST_TRIES = 0.03, 8
+#: Simulations that the fit of a rate takes, mostly.
+_USUAL_TRIES = 4
 _SLOWEST, _FASTEST = 0.005, 50.0
 
 
@@ -104,6 +107,7 @@ def calibrate_scars(
     n_runs: int = 100,
     seed: int = 0,
     threads: int | None = None,
+    foreseen: Callable[..., None] | None = None,
     progress: Progress | None = None,
     **params: Any,
 ) -> Calibration:
@@ -117,6 +121,8 @@ def calibrate_scars(
         "rate", and perhaps "duration" and "p0"; by default the rate, and the durations of three fires or more.
     n_runs, seed, threads, progress
         As in `simulate`, for each simulation.
+    foreseen
+        Called as `forecasting.Foreseen`, with about how many simulations there are before.
     **params
         Of the spread model, that stay as they are.
 
@@ -159,7 +165,13 @@ def calibrate_scars(
         for k, p0 in enumerate(tried):
             step = part(progress, 0.8 * (i * len(tried) + k) / total, 0.8 * (i * len(tried) + k + 1) / total)
             more = {**params} if p0 is None else {**params, "p0": p0}
-            rates[i, k], forecast = _rate_of(case, more, n_runs=n_runs, seed=seed, threads=threads, progress=step)
+            how: dict[str, Any] = {"n_runs": n_runs, "seed": seed, "threads": threads}
+            if foreseen is not None and i == k == 0:
+                # The first fire tells of all: what a fire costs goes with its size.
+                sizes = [max(int(other.scar.burnt.sum()), 1) for other in opened]
+                simulations = sum(sizes) / sizes[0] * (len(tried) * _USUAL_TRIES + 1 + enough)
+                how["foreseen"] = partial(foreseen, simulations)
+            rates[i, k], forecast = _rate_of(case, more, progress=step, **how)
             likest = area_matched(forecast.probability, int(case.scar.burnt.sum()))
             shapes[i, k] = overlap(likest, case.scar.burnt, start=case.scar.start)["growth_iou"]
 
@@ -167,9 +179,9 @@ def calibrate_scars(
         k = int(np.argmax(shapes[kept].mean(axis=0)))
         return k, float(np.exp(np.log(rates[kept, k]).mean()))
 
-    def told(case: Any, k: int, rate: float) -> tuple[float, float]:
-        more = {**params} if tried[k] is None else {**params, "p0": tried[k]}
-        found = run_case(case, {**more, "rate_scale": rate}, n_runs=n_runs, seed=seed, threads=threads)
+    def told(case: Any, k: int, rate: float, step: Progress) -> tuple[float, float]:
+        more = {**params, "rate_scale": rate} | ({} if tried[k] is None else {"p0": tried[k]})
+        found = run_case(case, more, n_runs=n_runs, seed=seed, threads=threads, progress=step)
         likely = overlap(found.probability >= 0.5, case.scar.burnt, start=case.scar.start)
         return float(found.burnt.mean() / case.scar.burnt.sum()), likely["growth_iou"]
 
@@ -177,14 +189,16 @@ def calibrate_scars(
     k, rate = fitted(everything)
     rows = []
     for i, case in enumerate(opened):
-        part(progress, 0.8, 1.0)(i / len(cases), f"{case.name} left out")
+        span = [0.8 + 0.2 * (i + share) / len(cases) for share in (0.0, 0.5, 1.0)]
         observed = float(case.scar.burnt.sum() * case.grid.cell_area_ha)
         row: dict[str, Any] = {"fire": case.name, "observed_ha": observed}
         row |= {"rate": float(rates[i, k]), "shape_growth_iou": float(shapes[i, k])}
-        row["size_ratio"], row["growth_iou"] = told(case, k, rate)
+        step = part(progress, span[0], span[1], f"{case.name}: ")
+        row["size_ratio"], row["growth_iou"] = told(case, k, rate, step)
         if enough:
             other, row["rate_left_out"] = fitted(np.delete(everything, i))
-            row["size_ratio_left_out"], row["growth_iou_left_out"] = told(case, other, row["rate_left_out"])
+            step = part(progress, span[1], span[2], f"{case.name} left out: ")
+            row["size_ratio_left_out"], row["growth_iou_left_out"] = told(case, other, row["rate_left_out"], step)
         rows.append(row)
     given = {**params, "rate_scale": round(rate, 6), **({} if tried[k] is None else {"p0": tried[k]})}
     notes = ["durations and weather are those given for each fire; its end is taken as the end of its spread"]
@@ -213,6 +227,7 @@ def calibrate_sizes(
     n_runs: int = 400,
     seed: int = 0,
     threads: int | None = None,
+    foreseen: Callable[..., None] | None = None,
     progress: Progress | None = None,
     **params: Any,
 ) -> Calibration:
@@ -243,6 +258,8 @@ def calibrate_sizes(
         if no days are known.
     n_runs, seed, threads, progress, params
         Of the simulation.
+    foreseen
+        Called as `forecasting.Foreseen`, with about how many simulations there are before.
 
     Returns
     -------
@@ -278,22 +295,14 @@ def calibrate_sizes(
     tried = P0_TRIED if "p0" in wanted else (None,)
     if longest is None:
         longest = float(np.nanmax(days)) * _DAY if np.isfinite(days).any() else _LONGEST
+    how: dict[str, Any] = {"ignitions": ignitions, "longest": _FURTHER * longest, "seed": seed, "threads": threads}
     found: list[tuple[float, float | None, float, Growth, Durations]] = []
     for k, p0 in enumerate(tried):
         step = part(progress, 0.9 * k / len(tried), 0.9 * (k + 1) / len(tried))
         more = {**params} if p0 is None else {**params, "p0": p0}
         # Fires whose rates turn out to be higher than simulated grow further in their time.
-        growth = growth_of(
-            landscape,
-            weather,
-            ignitions=ignitions,
-            longest=_FURTHER * longest,
-            n_runs=n_runs,
-            seed=seed,
-            threads=threads,
-            progress=step,
-            **more,
-        )
+        first = partial(foreseen, len(tried)) if foreseen is not None and k == 0 else None
+        growth = growth_of(landscape, weather, n_runs=n_runs, foreseen=first, progress=step, **how, **more)
         scale = 1.0
         if "rate" in wanted:
             scale = fire_sizes.rate_factor(growth, sizes[dated], days[dated] * hours_a_day * 3600.0)
@@ -337,7 +346,7 @@ def calibrate_sizes(
 
 
 def _rate_of(
-    case: Any, params: Mapping[str, Any], *, n_runs: int, seed: int, threads: int | None, progress: Progress
+    case: Any, params: Mapping[str, Any], *, progress: Progress, foreseen: Foreseen | None = None, **how: Any
 ) -> tuple[float, Any]:
     """Factor of the rates under which the mean fire is as large as the scar, and the fire under it.
 
@@ -348,7 +357,9 @@ def _rate_of(
     guess, forecast = 0.0, None
     for attempt in range(_MOST_TRIES):
         progress(attempt / _MOST_TRIES, f"{case.name}: rate {math.exp(guess):.3g}")
-        forecast = run_case(case, {**params, "rate_scale": math.exp(guess)}, n_runs=n_runs, seed=seed, threads=threads)
+        share = part(progress, attempt / _MOST_TRIES, (attempt + 1) / _MOST_TRIES, f"{case.name}: ")
+        more = {**params, "rate_scale": math.exp(guess)}
+        forecast = run_case(case, more, foreseen=None if attempt else foreseen, progress=share, **how)
         apart = math.log(max(float(forecast.burnt.mean()), 1.0)) - target
         if abs(apart) < _CLOSE:
             break

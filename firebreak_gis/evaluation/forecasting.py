@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,7 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape import read_landscape_folder
 from firebreak_gis.landscape.scars import Scar, read_scar
 from firebreak_gis.network import SpreadNetwork
-from firebreak_gis.progress import Progress, part
+from firebreak_gis.progress import Progress, part, worked
 from firebreak_gis.simulation.durations import Duration, as_duration
 from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.fires import burn
@@ -35,6 +35,9 @@ if TYPE_CHECKING:
 #: Times at which the growth of simulated fires is looked at; that of an observed fire up to twice its duration.
 _TIMES = 24
 _FIRST_TIME = 600.0
+#: Called before the fires of the first simulation: with what burns so many runs, how many runs a simulation has, and
+#: the seconds that it took to come here, so that it can be told how long all takes.
+Foreseen = Callable[[Callable[[int], Any], int, float], None]
 
 
 @dataclass(frozen=True)
@@ -153,6 +156,7 @@ def run_case(
     n_runs: int = 200,
     seed: int = 0,
     threads: int | None = None,
+    foreseen: Foreseen | None = None,
     progress: Progress | None = None,
 ) -> Forecast:
     """Simulate an observed fire.
@@ -165,8 +169,12 @@ def run_case(
         Of the spread model.
     embers, n_runs, seed, threads, progress
         As in `simulate`.
+    foreseen
+        See `Foreseen`.
     """
-    network, weather = case.networks(params)
+    made: list[tuple[SpreadNetwork, WeatherNetworks | None]] = []
+    before = worked(lambda: made.append(case.networks(params)))
+    ((network, weather),) = made
     rows, cols = np.nonzero(case.scar.start & case.fuel)
     points = np.column_stack([case.grid.x[cols], case.grid.y[rows]])
     if case.duration.kind == "weather":
@@ -178,23 +186,18 @@ def run_case(
     times = _times(longest)
     flying = None if embers is None else as_embers(embers)
     request = FireRequest(points, "all", n_runs, seed, duration=case.duration, embers=flying)
-    burns = burn(
-        network,
-        request,
-        weather=weather,
-        products=Products(quantiles=(0.5,)),
-        threads=threads,
-        progress=part(progress, 0.0, 0.6),
-    )
-    # How fires grow is told by those that nobody stops.
-    growing = burn(
-        network,
-        replace(request, duration=as_duration(2.0 * longest)),
-        weather=weather,
-        products=Products(by=tuple(times.tolist())),
-        threads=threads,
-        progress=part(progress, 0.6, 1.0),
-    )
+
+    def fires(count: int, progress: Progress | None = None) -> tuple[xr.Dataset, xr.Dataset]:
+        how: dict[str, Any] = {"weather": weather, "threads": threads}
+        asked, kept = replace(request, n_runs=count), Products(quantiles=(0.5,))
+        burns = burn(network, asked, products=kept, progress=part(progress, 0.0, 0.6), **how)
+        # How fires grow is told by those that nobody stops.
+        asked, kept = replace(asked, duration=as_duration(2.0 * longest)), Products(by=tuple(times.tolist()))
+        return burns, burn(network, asked, products=kept, progress=part(progress, 0.6, 1.0), **how)
+
+    if foreseen is not None:
+        foreseen(fires, n_runs, before)
+    burns, growing = fires(n_runs, progress)
     return Forecast(
         burns["burn_frequency"].to_numpy(),
         burns["arrival_time"].to_numpy()[0] / 3600.0,
@@ -216,6 +219,7 @@ def validate(
     n_runs: int = 200,
     seed: int = 0,
     threads: int | None = None,
+    foreseen: Foreseen | None = None,
     progress: Progress | None = None,
     wind: tuple[float, float] | None = None,
     **params: Any,
@@ -239,6 +243,8 @@ def validate(
         How long each line of a table lasts, such as "1h", where it tells no times: the lines follow each other.
     embers, n_runs, seed, threads, progress
         As in `simulate`.
+    foreseen
+        See `Foreseen`.
     wind
         Speed [m/s] and direction it comes from, for the elliptical null model alone; by default those of the weather.
     **params
@@ -268,7 +274,8 @@ def validate(
     (['distance', 'ellipse', 'none'], 0.0)
     """
     case = open_case(Case(landscape, scar, start, duration, weather, step))
-    forecast = run_case(case, params, embers=embers, n_runs=n_runs, seed=seed, threads=threads, progress=progress)
+    how: dict[str, Any] = {"n_runs": n_runs, "seed": seed, "threads": threads}
+    forecast = run_case(case, params, embers=embers, foreseen=foreseen, progress=progress, **how)
     wind = case.wind(params) if wind is None else wind
     flying = None if embers is None else as_embers(embers)
     notes = (
@@ -290,6 +297,7 @@ def growth_of(
     n_runs: int,
     seed: int = 0,
     threads: int | None = None,
+    foreseen: Foreseen | None = None,
     progress: Progress | None = None,
     **params: Any,
 ) -> Growth:
@@ -305,18 +313,23 @@ def growth_of(
         How long they grow [s].
     n_runs, seed, threads, progress
         As in `simulate`.
+    foreseen
+        See `Foreseen`.
     """
-    networks = weather_networks(landscape, weather, **params)
+    made: list[WeatherNetworks] = []
+    before = worked(lambda: made.append(weather_networks(landscape, weather, **params)))
+    (networks,) = made
     times = np.unique(np.round(np.geomspace(_FIRST_TIME, longest, _TIMES)))
     network = networks[0].network
-    burns = burn(
-        network,
-        FireRequest(ignitions, "each", n_runs, seed, duration=as_duration(float(longest))),
-        weather=networks,
-        products=Products(by=tuple(times.tolist())),
-        threads=threads,
-        progress=progress,
-    )
+
+    def fires(count: int, progress: Progress | None = None) -> xr.Dataset:
+        request = FireRequest(ignitions, "each", count, seed, duration=as_duration(float(longest)))
+        kept = Products(by=tuple(times.tolist()))
+        return burn(network, request, weather=networks, products=kept, threads=threads, progress=progress)
+
+    if foreseen is not None:
+        foreseen(fires, n_runs, before)
+    burns = fires(n_runs, progress)
     cells = np.maximum(burns["fire_size_by"].to_numpy(), 1)
     return Growth(times, cells * network.grid.cell_area_ha)
 

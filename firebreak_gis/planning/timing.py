@@ -1,8 +1,8 @@
-"""How long a plan will take on this machine, found by doing a little of it.
+"""How long work will take on this machine, found by doing a little of it.
 
-Rankings are made on two pieces of the map; how their times grow with the cells tells that of the whole. Fires take the
-same time each, in the mean, so that a few tell that of all. Compiling, which comes once, is not counted. Results do not
-depend on any of this.
+Rankings and compartments are made on two pieces of the map; how their times grow with the cells tells that of the
+whole. Fires take the same time each, in the mean, so that a few tell that of all. Compiling, which comes once, is not
+counted. Results do not depend on any of this.
 """
 
 from __future__ import annotations
@@ -17,17 +17,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.breaks import Budget
+from firebreak_gis.construction.delineations import delineate
 from firebreak_gis.errors import FirebreakError
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.planning.design import design
-from firebreak_gis.progress import COMPILING
+from firebreak_gis.progress import worked
 from firebreak_gis.simulation.fires import burn
 from firebreak_gis.simulation.ignitions import Ignitions
+from firebreak_gis.simulation.windows import window_work
 from firebreak_gis.stakes import Stakes
+from firebreak_gis.threads import thread_count
 
 if TYPE_CHECKING:
     from firebreak_gis.simulation.ground import Ground
     from firebreak_gis.simulation.request import FireRequest
+    from firebreak_gis.simulation.windows import MapSource
 
 #: The larger of the two pieces that are ranked has this share of the cells, and at most so many; the other a quarter.
 _PIECE, _MOST_CELLS = 1 / 16, 150_000
@@ -35,8 +39,8 @@ _PIECE, _MOST_CELLS = 1 / 16, 150_000
 _SMALL = 40_000
 #: Powers of the cells that costs may grow with.
 _POWERS = (1.0, 2.5)
-#: Of all fires that will be burnt so many are burnt for the pilot, at most so many.
-_PILOT, _MOST_FIRES = 1 / 50, 64
+#: Of all fires that will be burnt so many are burnt for the pilot, at most so many; and in a window.
+_PILOT, _MOST_FIRES, _MOST_IN_WINDOW = 1 / 50, 64, 12
 
 Now = Callable[[], float]
 
@@ -130,7 +134,7 @@ def by_pieces(work: Callable[[slice, slice], None], shape: tuple[int, int], now:
         rows, cols = (_middle(n, math.sqrt(share)) for n in shape)
         if not times:  # what is loaded at the first call does not count
             work(rows, cols)
-        times.append(max(_worked(partial(work, rows, cols), now), 1e-9))
+        times.append(max(worked(partial(work, rows, cols), now), 1e-9))
         sizes.append((rows.stop - rows.start) * (cols.stop - cols.start))
         if times[-1] * (cells / sizes[-1]) ** 2 < 1.0:  # short at any power
             break
@@ -161,15 +165,85 @@ def fire_seconds(
     given = {"weather": ground.weather, "barriers": ground.barriers, **how}
     for count in (1, n_runs):  # what is loaded at the first call does not count
         few = replace(fires, n_runs=count, ignitions=starts.first(count) if isinstance(starts, Ignitions) else starts)
-        seconds = _worked(partial(burn, ground.network, few, **given), now)
+        seconds = worked(partial(burn, ground.network, few, **given), now)
     return seconds / n_runs
 
 
-def _worked(work: Callable[[], Any], now: Now) -> float:
-    """Seconds that work takes, less those of compiling."""
-    began, compiled = now(), COMPILING.seconds
-    work()
-    return max(now() - began - (COMPILING.seconds - compiled), 0.0)
+def runs_seconds(
+    work: Callable[[int], Any], n_runs: int, before: float, *, times: float = 1.0, now: Now = time.perf_counter
+) -> float:
+    """Seconds of simulations, from those of one run and of a few; all but those before the first, which are over.
+
+    Parameters
+    ----------
+    work
+        Simulates so many runs.
+    n_runs
+        Runs of each simulation.
+    before
+        Seconds that each simulation takes before its first run.
+    times
+        How many simulations there are.
+    now
+        Tells the time [s].
+    """
+    work(1)  # what is loaded at the first call does not count
+    one = worked(partial(work, 1), now)
+    count = int(min(max(n_runs * times * _PILOT, 2.0), _MOST_FIRES))
+    each = max(worked(partial(work, count), now) - one, 0.0) / (count - 1)
+    return times * (max(one - each, 0.0) + each * n_runs) + (times - 1.0) * before
+
+
+def window_seconds(
+    source: MapSource, fires: FireRequest, *, side: int, threads: int | None = None, now: Now = time.perf_counter
+) -> float:
+    """Seconds that fires in windows take, from those of a few runs in two windows; each is read once, then burnt in.
+
+    Parameters
+    ----------
+    source, fires, side, threads
+        As in `windows.burn_windows`.
+    now
+        Tells the time [s].
+    """
+    counts, burn_in = window_work(source, fires, side=side)
+    first, each = [], []
+    for k in {len(counts) // 3, 2 * len(counts) // 3}:
+        count = min(counts[k], _MOST_IN_WINDOW)
+        burn_in(k, 1)
+        one = worked(partial(burn_in, k, 1), now)
+        first.append(one)
+        if count > 1:
+            each.append(max(worked(partial(burn_in, k, count), now) - one, 0.0) / (count - 1))
+    more = float(np.mean(each)) if each else 0.0
+    whole = float(np.mean(first)) * len(counts) + more * (sum(counts) - len(counts))
+    return whole / min(thread_count(threads), len(counts))
+
+
+def delineation_seconds(
+    network: SpreadNetwork, suitability: np.ndarray, *, now: Now = time.perf_counter, **asked: Any
+) -> float:
+    """Seconds that compartments take, from those of two pieces of the map; 0 on small maps, or if no piece can tell.
+
+    Parameters
+    ----------
+    network, suitability, asked
+        As in `delineations.delineate`.
+    now
+        Tells the time [s].
+    """
+
+    def work(rows: slice, cols: slice) -> None:
+        transform = network.grid.transform
+        piece = SpreadNetwork(
+            network.probability[:, rows, cols], burnable=network.burnable[rows, cols], transform=transform
+        )
+        delineate(piece, suitability[rows, cols], **asked)
+
+    try:
+        return by_pieces(work, network.shape, now)
+    except FirebreakError:  # a piece without fuel
+        return 0.0
 
 
 def _middle(n: int, share: float) -> slice:

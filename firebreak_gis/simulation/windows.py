@@ -9,6 +9,7 @@ map, so windows of any size, on any thread, give the fires of the whole map, run
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Protocol, cast
@@ -193,7 +194,7 @@ def burn_windows(
     if request.called is not None:
         raise ParameterError("the way of crews needs the map as a whole; leave the stations out, or the windows")
     work = _Work(source, request, resolved(fuel, request), progress or silent)
-    batches = [(runs, side) for runs in tiles(work.start.cells, work.start.starts, source.grid.shape, side // 2)]
+    batches = work.windows(side)
     while batches:
         again: list[tuple[np.ndarray, int]] = []
         run_pieces(
@@ -201,6 +202,33 @@ def burn_windows(
         )
         batches = again
     return work.burns(fuel)
+
+
+def window_work(
+    source: MapSource, request: FireRequest, *, side: int = SIDE
+) -> tuple[list[int], Callable[[int, int], None]]:
+    """What `burn_windows` has to do, and a means to do a little of it, to tell how long all takes.
+
+    Returns
+    -------
+    list of int, callable
+        How many runs burn in each of the first windows; and what burns the first `count` of those in window `k`,
+        called as ``burn(k, count)``, on one thread.
+    """
+    from firebreak_gis.simulation.fires import resolved
+
+    work = _Work(source, request, resolved(fuel_map(source), request), silent)
+    windows = work.windows(side)
+
+    def burn(k: int, count: int) -> None:
+        waiting = [(windows[k][0][:count], side)]
+        while waiting:
+            again: list[tuple[np.ndarray, int]] = []
+            for batch in waiting:
+                work.burn(batch, again=again)
+            waiting = again
+
+    return [runs.size for runs, _ in windows], burn
 
 
 class _Work:
@@ -217,6 +245,11 @@ class _Work:
         self._sizes = np.zeros(request.n_runs, np.int64)
         self._done = 0
         self._lock = threading.Lock()
+
+    def windows(self, side: int) -> list[tuple[np.ndarray, int]]:
+        """The runs of each of the first windows, and their side."""
+        start = self.start
+        return [(runs, side) for runs in tiles(start.cells, start.starts, self._source.grid.shape, side // 2)]
 
     def report(self, share: float, message: str) -> None:  # noqa: ARG002
         """Tell the share of the runs that are done."""

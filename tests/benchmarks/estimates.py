@@ -1,4 +1,5 @@
-"""Estimated against measured memory of the commands: `python -m tests.benchmarks.estimates 1000 3000`.
+"""Estimated against measured memory of the commands: `python -m tests.benchmarks.estimates 1000 3000`; and against the
+time that they take: `python -m tests.benchmarks.estimates times 300`.
 
 Each command runs in a process of its own, whose peak the operating system tells. Rankings that take long on large
 grids are left out unless they are named after the sizes, e.g. `... 1000 dissection,betweenness`.
@@ -6,12 +7,16 @@ grids are left out unless they are named after the sizes, e.g. `... 1000 dissect
 
 from __future__ import annotations
 
+import json
+import re
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 import numpy as np
+import rasterio
 
 from firebreak_gis import memory
 from firebreak_gis.grid import Grid, parse_crs
@@ -82,7 +87,59 @@ def measure(size: int, rankings: tuple[str, ...], *, whole: bool = True) -> dict
         return result
 
 
+def seconds_told(words: list[str], folder: Path) -> tuple[float, float]:
+    """Seconds that `firebreak WORDS` said that it would take, and those from then to its end."""
+    told, said_at = 0.0, 0.0
+    with subprocess.Popen(
+        [sys.executable, "-m", "firebreak_gis", *words, "--progress", "json"],
+        cwd=folder,
+        stdin=subprocess.PIPE,  # its end would be a stop
+        stdout=subprocess.PIPE,
+        text=True,
+    ) as process:
+        for line in process.stdout or ():
+            found = re.match(r"This takes about ([\d.]+) (s|min|h)\b", json.loads(line).get("said", ""))
+            if found:
+                told, said_at = float(found[1]) * {"s": 1, "min": 60, "h": 3600}[found[2]], time.perf_counter()
+    return told, time.perf_counter() - said_at if said_at else float("nan")
+
+
+def measure_times(size: int) -> dict[str, tuple[float, float]]:
+    """Seconds told first and seconds taken by commands that burn long, on `size` x `size` cells."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        run = [sys.executable, "-m", "firebreak_gis"]
+        subprocess.run([*run, "align", *layers(folder, size), "-o", "land", "-q"], cwd=folder, check=True)
+        subprocess.run([*run, "network", "land", "-o", "net.tif", "--clock", "-q"], cwd=folder, check=True)
+        with rasterio.open(folder / "land" / "vegetation.tif") as source:
+            grid = Grid(source.shape, source.transform, parse_crs(source.crs.to_wkt()))
+        rows, cols = np.indices(grid.shape)
+        middle = np.maximum(np.abs(rows - size // 2), np.abs(cols - size // 2))
+        wall = (rows % (size // 6) == size // 12) & (cols % (size // 3) > size // 24)
+        for file, plane in (("wall", wall), ("start", middle < 4), ("scar", middle < size // 12)):
+            write_raster(folder / f"{file}.tif", grid.dataarray(plane.astype(np.uint8), "breaks"))
+        table = "landscape,scar,start,duration,weather\nland,scar.tif,start.tif,8h,rose:NW=4\n"
+        (folder / "scars.csv").write_text(table)
+        commands = {
+            "burn": "burn net.tif --duration 8h --runs 20000 -o f.tif",
+            "burn --window": "burn net.tif --duration 8h --window 128 --runs 20000 -o w.tif",
+            "assess": "assess net.tif wall.tif --placements 1 --runs 400 -o a",
+            "delineate": "delineate land --size 100 --runs 10000 -o d",
+            "validate": "validate land scar.tif --start start.tif --duration 8h --weather rose:NW=4 --runs 8000 -o v",
+            "calibrate": "calibrate scars.csv --runs 3000 -o fit.toml",
+        }
+        return {name: seconds_told(words.split(), folder) for name, words in commands.items()}
+
+
 if __name__ == "__main__":
+    if "times" in sys.argv[1:]:
+        for number in [int(word) for word in sys.argv[1:] if word.isdigit()] or [300]:
+            for row, (told, taken) in measure_times(number).items():
+                print(
+                    f"{number:5} {row:20} told {told:7.1f} s, taken {taken:7.1f} s, ratio {told / taken:.2f}",
+                    flush=True,
+                )
+        raise SystemExit
     given = [word for word in sys.argv[1:] if not word.isdigit()]
     names = tuple(given[0].split(",")) if given else QUICK
     for number in [int(word) for word in sys.argv[1:] if word.isdigit()] or [1000]:

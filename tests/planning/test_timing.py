@@ -12,7 +12,14 @@ import firebreak_gis as fb
 from firebreak_gis.breaks import Budget
 from firebreak_gis.cli import firebreak
 from firebreak_gis.planning import timing
-from firebreak_gis.planning.timing import Estimate, by_pieces, fire_seconds, ranking_seconds
+from firebreak_gis.planning.timing import (
+    Estimate,
+    by_pieces,
+    fire_seconds,
+    ranking_seconds,
+    runs_seconds,
+    window_seconds,
+)
 from firebreak_gis.progress import COMPILING
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.request import FireRequest
@@ -141,6 +148,56 @@ def test_a_few_fires_tell_of_all(monkeypatch, n_runs, passes, burnt):
     assert seen == [1, burnt]
 
 
+def test_simulations_are_told_by_one_run_and_a_few():
+    """So much before the first run, so much a run; what comes before the fires counts for all but the first."""
+    clock, seen = Clock(), []
+
+    def work(count):
+        seen.append(count)
+        clock.time += 3.0 + 0.5 * count
+
+    assert runs_seconds(work, 1000, 7.0, now=clock) == pytest.approx(3.0 + 500.0)
+    assert seen == [1, 1, 20]
+    assert runs_seconds(work, 1000, 7.0, times=4.0, now=clock) == pytest.approx(4 * 503.0 + 3 * 7.0)
+    assert seen[-1] == 64
+
+
+def test_windows_are_told_by_two_of_them(monkeypatch):
+    """Each is read once, and then burnt in; threads share them."""
+    clock, seen = Clock(), []
+    counts = [3, 40, 1, 25, 7, 30]
+
+    def burn(k, count):
+        assert count <= counts[k]
+        seen.append((k, count))
+        clock.time += 2.0 + 0.25 * (count - 1)
+
+    monkeypatch.setattr(timing, "window_work", lambda *_, **__: (counts, burn))
+    whole = 2.0 * len(counts) + 0.25 * (sum(counts) - len(counts))
+    for threads in (1, 2, 50):
+        found = window_seconds(None, None, side=16, threads=threads, now=clock)
+        assert found == pytest.approx(whole / min(threads, len(counts)))
+    assert {k for k, _ in seen} == {2, 4}
+
+
+def test_a_little_of_the_windows_is_what_windows_do():
+    """The means to burn a little burns the same fires, and leaves the real burns as they are."""
+    from firebreak_gis.simulation.durations import Duration
+    from firebreak_gis.simulation.windows import MapInMemory, burn_windows, window_work
+
+    network = fb.SpreadNetwork(np.full((8, 90, 80), 0.6), travel_time=np.full((8, 90, 80), 600.0))
+    source = MapInMemory(network)
+    request = FireRequest(n_runs=40, seed=2, duration=Duration("fixed", (7200.0,)))
+    whole = burn_windows(source, request, side=16)
+    counts, burn = window_work(source, request, side=16)
+    assert sum(counts) == 40
+    for k, count in enumerate(counts):
+        burn(k, count)
+    assert window_seconds(source, request, side=16) >= 0.0
+    again = burn_windows(source, request, side=16)
+    assert again.equals(whole)
+
+
 def test_ignitions_that_are_decided_serve_the_few():
     from firebreak_gis.simulation.ignitions import resolve_ignitions
 
@@ -211,10 +268,44 @@ def test_commands_tell_what_takes_long(make_landscape, tmp_path, monkeypatch):
         ],
         "compare": ["compare", net, "--methods", "degree", "--budgets", "0.1", "--runs", 5, "-o", tmp_path / "c"],
     }
+    timed, roads, scar = tmp_path / "timed.tif", tmp_path / "roads.tif", tmp_path / "scar.tif"
+    run("network", tmp_path / "land", "-o", timed, "--clock")
+    mask, begun = np.zeros((40, 50), np.uint8), np.zeros((40, 50), np.uint8)
+    mask[20:, 24] = begun[12, 14] = 1
+    burnt = np.zeros_like(mask)
+    burnt[9:16, 11:18] = 1
+    grid = fb.read_network(net).grid
+    for path, plane in ((roads, mask), (scar, burnt), (tmp_path / "start.tif", begun)):
+        fb.write_raster(path, grid.dataarray(plane, "breaks"))
+    (tmp_path / "fires.csv").write_text("ha,days\n0.5,1\n1,1\n2,1\n3,2\n4,2\n")
+    table = f"landscape,scar,start,duration,weather\nland,{scar.name},start.tif,1h,rose:NW=4\n"
+    (tmp_path / "scars.csv").write_text(table)
+    few = ["--runs", 3, "-o"]
+    commands |= {
+        "burn --window": ["burn", timed, "--duration", "1h", "--window", 16, *few, tmp_path / "w.tif"],
+        "assess": ["assess", timed, roads, "--placements", 1, *few, tmp_path / "a"],
+        "delineate": ["delineate", tmp_path / "land", "--size", "30", *few, tmp_path / "d"],
+        "validate": [
+            "validate",
+            timed,
+            scar,
+            "--start",
+            tmp_path / "start.tif",
+            "--duration",
+            "1h",
+            *few,
+            tmp_path / "v",
+        ],
+        "calibrate": [
+            *("calibrate", tmp_path / "land", tmp_path / "fires.csv", "--weather", "rose:NW=4", "--least", "0.1"),
+            *("--fit", "duration", "--runs", 9, "-o", tmp_path / "fit.toml"),
+        ],
+        "calibrate on scars": ["calibrate", tmp_path / "scars.csv", *few, tmp_path / "rate.toml"],
+    }
     for words in commands.values():
         assert "This takes" not in run(*words)
     monkeypatch.setattr(timing, "by_pieces", lambda *_: 60.0)
-    monkeypatch.setattr(timing, "_worked", lambda work, now: work() is None or 60.0)
+    monkeypatch.setattr(timing, "worked", lambda work, now: (work(), 60.0)[1])
     for name, words in commands.items():
         assert "This takes about" in run(*words, "--overwrite"), name
         told = run(*words, "--overwrite", "--json")

@@ -158,6 +158,7 @@ def command(
     from firebreak_gis.landscape.existing import existing_breaks
     from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.planning.scene import files_of, open_scene
+    from firebreak_gis.planning.timing import Estimate, fire_seconds
     from firebreak_gis.progress import part
     from firebreak_gis.simulation.fires import burn, resolved
 
@@ -182,6 +183,15 @@ def command(
         ].to_numpy()
         return sizes
 
+    def foresee(few: int, most: int) -> None:
+        standing = np.zeros(scene.network.shape, bool)
+        for cells in existing.cells:
+            standing.ravel()[cells] = True
+        seconds = 0.0
+        for count, cut in ((few, None), (most, standing)):
+            seconds += count * fires.n_runs * fire_seconds(ground, fires, passes=count, breaks=cut)
+        session.foresee(Estimate({"fires": seconds}))
+
     # A network does not tell its vegetation: shrubs, unless one number is given for all.
     codes = np.full(scene.network.shape, 2) if scene.landscape is None else scene.landscape["vegetation"].to_numpy()
     intervals = return_interval or RETURN
@@ -195,6 +205,7 @@ def command(
         upkeep=upkeep_rates(codes, intervals),
         fires_per_year=fires_per_year,
         seed=fires.seed,
+        foreseen=foresee,
         progress=part(session.progress, 0.05, 0.97),
     )
     headline = told(found)

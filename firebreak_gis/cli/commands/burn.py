@@ -92,7 +92,7 @@ def command(
     from firebreak_gis.manifest import provenance
     from firebreak_gis.planning.maps import MapInFiles
     from firebreak_gis.planning.scene import read_scene
-    from firebreak_gis.planning.timing import Estimate, fire_seconds
+    from firebreak_gis.planning.timing import Estimate, fire_seconds, window_seconds
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind, write_raster
     from firebreak_gis.simulation.fires import burn
@@ -144,7 +144,9 @@ def command(
         burns = burn(untouched, checked, weather=networks, products=kept, progress=share_done, **walls)
     else:
         source.breaks, source.barriers = cut, barred
-        burns = burn_windows(source, checked, side=window or SIDE, progress=share_done)
+        side = window or SIDE
+        session.foresee(Estimate({"fires": window_seconds(source, checked, side=side)}))
+        burns = burn_windows(source, checked, side=side, progress=share_done)
     assumptions = [*fires.assumptions, *(_told(weather.weather, ensemble) if ensemble else [])]
     # What makes no difference is not told, so that equal fires have equal files as fields are added.
     usual = ("ignitions", "ignition_mode", "n_runs", "residual")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -100,6 +101,7 @@ def command(
     from firebreak_gis.landscape.planes import ignition_source
     from firebreak_gis.landscape.scars import fire_table
     from firebreak_gis.landscape.target_grid import Account
+    from firebreak_gis.planning.timing import Estimate, runs_seconds
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind
 
@@ -108,12 +110,17 @@ def command(
     progress = part(session.progress, 0.05, 0.95)
     for name in files:
         require_writable(name, overwrite=output.overwrite, forbid=inputs)
+
+    def foresee(times: float, work: Callable[[int], Any], n_runs: int, before: float) -> None:
+        session.foresee(Estimate({"simulations": runs_seconds(work, n_runs, before, times=times)}))
+
     if fires is None:
         result = calibrate_scars(
             _cases(folder),
             fit=asked.fit,
             n_runs=burning.n_runs,
             seed=burning.seed,
+            foreseen=foresee,
             progress=progress,
             **asked.model_params,
         )
@@ -143,6 +150,7 @@ def command(
             longest=asked.longest,
             n_runs=burning.n_runs,
             seed=burning.seed,
+            foreseen=foresee,
             progress=progress,
             **asked.model_params,
         )

@@ -130,7 +130,8 @@ def command(
     from firebreak_gis.landscape.siting import site
     from firebreak_gis.landscape.target_grid import Account
     from firebreak_gis.planning.scene import files_of, open_scene
-    from firebreak_gis.progress import part
+    from firebreak_gis.planning.timing import Estimate, delineation_seconds, fire_seconds
+    from firebreak_gis.progress import in_proportion, part
     from firebreak_gis.simulation.fires import burn
 
     named = (*fires.sources, *spread.sources, *weather.sources, *at_stake.sources)
@@ -153,11 +154,15 @@ def command(
         session.warn(sentence)
     ground = scene.ground(judged, network, None)
     asked = checked_fires(judged.fires, network, session)
-    burns = burn(ground.network, asked, weather=ground.weather, progress=part(session.progress, 0.05, 0.5, "fires: "))
+    good = sited["suitability"].to_numpy()
+    burning = asked.n_runs * fire_seconds(ground, asked, passes=1)
+    cutting = delineation_seconds(network, good, size_ha=size_ha, strength=strength)
+    session.foresee(Estimate({"fires": burning, "control lines": cutting}))
+    steps = in_proportion([burning, cutting], 0.05, 0.95)
+    burns = burn(ground.network, asked, weather=ground.weather, progress=part(session.progress, *steps[0], "fires: "))
     factors = {
         str(name).removeprefix("suitability_"): sited[name].to_numpy() for name in sited if name != "suitability"
     }
-    good = sited["suitability"].to_numpy()
     found = delineate(
         network,
         good,
@@ -168,7 +173,7 @@ def command(
         value=planes.value,
         ignition=planes.ignition,
         burn_frequency=burns["burn_frequency"],
-        progress=part(session.progress, 0.5, 0.95),
+        progress=part(session.progress, *steps[1]),
     )
     length = found.borders["length_m"]
     square = square_suitability(good, network.burnable, size_ha / network.grid.cell_area_ha)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -135,6 +135,7 @@ def command(
     from firebreak_gis.files.outputs import write_all
     from firebreak_gis.landscape import read_landscape_folder
     from firebreak_gis.manifest import provenance
+    from firebreak_gis.planning.timing import Estimate, runs_seconds
     from firebreak_gis.progress import part
     from firebreak_gis.spread.raster import read_network
 
@@ -156,6 +157,10 @@ def command(
         params["model"] = spread.model
     target = None if output is None else OutputRequest(output, overwrite, creation_options)
     how = None if target is None else require_outputs(target, OUTPUTS, inputs)
+
+    def foresee(work: Callable[[int], Any], n_runs: int, before: float) -> None:
+        session.foresee(Estimate({"fires": runs_seconds(work, n_runs, before)}))
+
     result = validate(
         source,
         scar,
@@ -166,6 +171,7 @@ def command(
         n_runs=n_runs,
         seed=seed,
         wind=wind,
+        foreseen=foresee,
         progress=part(session.progress, 0.05, 0.9),
         **params,
     )
