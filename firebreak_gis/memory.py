@@ -48,8 +48,8 @@ _MAKING, _READING = Need(_COMPILED, 210), Need(_PLAIN, 140)
 _TIMES_MADE, _TIMES = 190, 100
 #: What is kept of fires by time, size, flame length and path, bytes a cell, and a cell and thread.
 _KEPT, _KEPT_THREAD = 400, 200
-#: Cells of a network that are made together where it is made by blocks.
-BLOCK_CELLS = 4_000_000
+#: Cells that are made together where a landscape or a network is made by blocks; of a finer layer so many are read.
+BLOCK_CELLS, SOURCE_CELLS = 4_000_000, 8_000_000
 #: Bytes a cell of a map that is read by windows, and a cell of each window at work.
 _MAP, _WINDOW = 20, 700
 _STAGES: Mapping[str, tuple[Need, ...]] = {

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.gate import is_file
+from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.rasters import file_of
 
 if TYPE_CHECKING:
@@ -33,11 +34,18 @@ def input_files(names: Iterable[str | None]) -> list[str]:
     return list(dict.fromkeys(name for name in named if is_file(name)))
 
 
-def read_layers(request: LandscapeRequest, found: Survey, session: Session, *, progress: Progress) -> xr.Dataset:
-    """Read a landscape that was surveyed and say what was done."""
+def read_layers(
+    request: LandscapeRequest, found: Survey, session: Session, *, folder: str | None = None, progress: Progress
+) -> xr.Dataset:
+    """Read a landscape that was surveyed and say what was done; by parts, on the disk of a folder, if one is given."""
     from firebreak_gis.landscape import read_surveyed
+    from firebreak_gis.landscape.strips import read_by_parts
 
-    landscape = read_surveyed(request, found, progress=progress)
+    rows, cols = found.grid.shape
+    if folder is not None and rows * cols > BLOCK_CELLS:
+        landscape = read_by_parts(request, found, folder, progress=progress)
+    else:
+        landscape = read_surveyed(request, found, progress=progress)
     for sentence in landscape.attrs["alignment"]:
         session.say(sentence)
     for sentence in landscape.attrs["warnings"]:

@@ -105,7 +105,7 @@ def foresee(
 
     found = survey(layers)
     rows, cols = found.grid.shape
-    needed = memory.bytes_for("align", 0) + found.memory
+    needed = memory.bytes_for("align", 0) + (found.memory_by_parts if method is None else found.memory)
     if method is not None:
         needed = max(needed, memory.bytes_for("plan", rows * cols, method=method, clock=clock))
     what = f"a landscape of {rows} x {cols} cells" if method is None else f"a plan of {rows} x {cols} cells by {method}"

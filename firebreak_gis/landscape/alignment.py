@@ -165,8 +165,14 @@ def align_quantity(
     votes = np.where(np.isnan(values), MISSING, 0).astype(np.int32)
     votes[flags] = codes + 1
     voted = (mode if how.coarser else nearest)(votes, _placed(header, how), grid, MISSING)
-    account.alignment.append(f"{name}: its flags {', '.join(f'{word:g}' for word in words[:8])} were not mixed with it")
+    if not isinstance(grid, GridPart):  # a part does not know all
+        account.alignment.append(flags_told(name, words))
     return np.where(voted > 0, words[np.maximum(voted - 1, 0)], quantity)
+
+
+def flags_told(name: str, flags: np.ndarray) -> str:
+    """Say which values of a quantity were taken as flags."""
+    return f"{name}: its flags {', '.join(f'{word:g}' for word in flags[:8])} were not mixed with it"
 
 
 def _values(header: Header, how: Placing, name: str, account: Account) -> np.ndarray:

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.errors import InputError
 from firebreak_gis.files.commit import unfinished
 from firebreak_gis.files.outputs import Output, Writing, write_all
+from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.fuel import INSTEAD, LAYERS, burnable_cells
-from firebreak_gis.rasters import VariableFile, write_raster
+from firebreak_gis.memory import BLOCK_CELLS
+from firebreak_gis.rasters import VariableFile, write_blocks
+from firebreak_gis.rasters.blocks import ROWS
 from firebreak_gis.schema import annotate, validate
 
 if TYPE_CHECKING:
@@ -61,12 +64,12 @@ def _layer(name: str, label: str, needs: str = "") -> Output[xr.Dataset]:
     def write(dataset: xr.Dataset, path: Path, how: Writing) -> None:
         told: dict[str, Any] = {}
         if name == LAYERS[0]:
-            validate(dataset, [*LAYERS, *(other for other in INSTEAD if other in dataset)])
             told = {key: list(dataset.attrs[key]) for key in ("alignment", "warnings") if key in dataset.attrs}
             told |= {"legend": dataset.attrs["legend"]} if "legend" in dataset.attrs else {}
-        write_raster(
+        write_blocks(
             path,
-            dataset[name],
+            _blocks(dataset, name),
+            Grid.of(dataset),
             overwrite=how.overwrite,
             forbid=how.forbid,
             creation_options=how.creation_options,
@@ -74,6 +77,18 @@ def _layer(name: str, label: str, needs: str = "") -> Output[xr.Dataset]:
         )
 
     return Output(f"{name}.tif", label, write, needs)
+
+
+def _blocks(dataset: xr.Dataset, name: str) -> Iterator[tuple[int, xr.Dataset]]:
+    """Rows of a layer, looked at; all of them together unless there are very many."""
+    rows, cols = dataset.sizes["y"], dataset.sizes["x"]
+    # What is wrong with any layer is told before the first is written.
+    looked_at = [*LAYERS, *(other for other in INSTEAD if other in dataset)] if name == LAYERS[0] else [name]
+    step = rows if rows * cols <= BLOCK_CELLS else max(BLOCK_CELLS // cols // ROWS, 1) * ROWS
+    for row in range(0, rows, step):
+        part = dataset.isel(y=slice(row, row + step))
+        validate(part, looked_at)
+        yield row, part[[name]]
 
 
 _LABELS = {

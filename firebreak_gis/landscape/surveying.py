@@ -21,6 +21,7 @@ from firebreak_gis.landscape.legends.burning import BURNING
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.resampling import BLOCK
 from firebreak_gis.landscape.target_grid import Account, choose_grid, grid_like
+from firebreak_gis.memory import BLOCK_CELLS, SOURCE_CELLS
 from firebreak_gis.rasters import Header, header_of_array, read_header, with_crs
 from firebreak_gis.schema import DENSITY
 
@@ -74,6 +75,12 @@ class Survey:
         """Estimated peak of reading it, bytes."""
         planes = sum(not np.isnan(self.legend.column(name, np.nan)).all() for name in BURNING.values())
         return memory_needed(self.layers, self.grid) + 8 * planes * self.grid.shape[0] * self.grid.shape[1]
+
+    @property
+    def memory_by_parts(self) -> int:
+        """Estimated peak of reading it by parts, bytes; less for a landscape that is one part."""
+        cells = self.grid.shape[0] * self.grid.shape[1]
+        return self.memory if cells <= BLOCK_CELLS else min(self.memory, 120 * BLOCK_CELLS + 28 * SOURCE_CELLS)
 
 
 def survey(request: LandscapeRequest) -> Survey:

@@ -51,7 +51,7 @@ def command(session: Session, *, dry_run: bool, layers: LandscapeRequest, output
     """Lay DEM, VEGETATION and DENSITY on one square grid in metres.
 
     Writes elevation.tif, vegetation.tif and density.tif (classes of the paper) and says what was done to each
-    layer.
+    layer. Landscapes of more than 4 million cells are laid part by part and need not fit into memory.
     """
     from firebreak_gis.files.outputs import write_all
     from firebreak_gis.manifest import provenance
@@ -62,7 +62,8 @@ def command(session: Session, *, dry_run: bool, layers: LandscapeRequest, output
     if dry_run:
         rehearse(foreseen, session)
         return
-    landscape = read_layers(layers, foreseen.survey, session, progress=part(session.progress, 0.0, 0.8))
+    step = part(session.progress, 0.0, 0.8)
+    landscape = read_layers(layers, foreseen.survey, session, folder=output.output, progress=step)
     how = replace(how, tags=provenance(how.parameters))
     progress = part(session.progress, 0.8, 1.0)
     files = write_all(OUTPUTS, landscape, output.output, how, variables=landscape, progress=progress)
