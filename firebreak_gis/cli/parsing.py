@@ -185,12 +185,12 @@ def line_width(text: Any, option: str) -> float | str:
     return metres
 
 
-def metres(text: Any, option: str) -> float:
-    """Read "12" or "12m"."""
+def planned_width(text: Any, option: str) -> float | str:
+    """Read "12" or "12m", in metres, or "auto"."""
     found = line_width(text, option)
-    if isinstance(found, str):
-        raise ParameterError(f"{option} is {text!r}, expected metres, such as 12m")
-    return found
+    if isinstance(found, str) and found.lower() != "auto":
+        raise ParameterError(f"{option} is {text!r}, expected metres, such as 12m, or auto")
+    return found.lower() if isinstance(found, str) else found
 
 
 def measured(quantity: Quantity) -> Callable[[Any, str], float | str]:

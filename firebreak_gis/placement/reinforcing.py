@@ -7,15 +7,16 @@ same money and burnt. Where breaks leak, thin walls are laid as well, and widene
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from firebreak_gis.placement.choosing import Choice, all_hold
 from firebreak_gis.placement.parts import parts_of
 from firebreak_gis.placement.widening import around, walls
 from firebreak_gis.progress import part
-from firebreak_gis.simulation.holding import FIELD, stretches
+from firebreak_gis.simulation.holding import stretches
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -26,8 +27,6 @@ if TYPE_CHECKING:
     from firebreak_gis.simulation.holding import Hold
     from firebreak_gis.stakes import Stakes
 
-#: Cells that the fires of one comparison burn where nothing is cut, and how many there are for each cell of the map.
-_WORK, _COVER = 2.0e6, 4.0
 #: Rounds in which walls are widened, or laid, where most passes.
 _ROUNDS = 6
 #: Shares of the even width's length of wall that are laid thin, before they are widened.
@@ -45,10 +44,13 @@ class Layout(NamedTuple):
         What they are, in words.
     cells
         Row-major cells of each wall or part of one, in turn.
+    width
+        Cells across the narrowest.
     """
 
     told: str
     cells: list[np.ndarray]
+    width: int = 1
 
     def cut(self, stakes: Stakes, money: float) -> np.ndarray:
         """Cells that the money buys, (rows, cols) bool."""
@@ -88,50 +90,29 @@ def best_layout(
     progress
         Callback (share done, message).
     """
-    n_runs = trial.runs(max(_WORK, _COVER * network.n_burnable))
-    tried: list[tuple[float, Layout]] = []
+    choice: Choice[Layout] = Choice(trial, network.n_burnable, lambda layout: layout.cut(stakes, money))
 
-    def loss(layout: Layout, first: int = 0, times: int = 1) -> float:
-        cut = layout.cut(stakes, money)
-        return float(trial.losses(cut, n_runs=times * n_runs, first_run=first).sum())
+    def even_walls() -> Iterator[Layout]:
+        for width in range(narrowest, max(widest, narrowest) + 1):
+            told = f"walls of {width} cell{'s' if width > 1 else ''}"
+            progress(0.05 * width, f"trying {told}")
+            yield Layout(told, walls(lines(width, None), network, stakes, width)[0], width)
 
-    def attempt(layout: Layout, share: float) -> float:
-        progress(share, f"trying {layout.told}")
-        tried.append((loss(layout), layout))
-        return tried[-1][0]
-
-    best, worse, even = np.inf, 0, narrowest
-    for width in range(narrowest, max(widest, narrowest) + 1):
-        told = f"walls of {width} cell{'s' if width > 1 else ''}"
-        lost = attempt(Layout(told, walls(lines(width, None), network, stakes, width)[0]), 0.05 * width)
-        best, worse, even = (lost, 0, width) if lost < best else (best, worse + 1, even)
-        if worse == 2:
-            break
+    even = choice.rising(even_walls()).width
+    about: dict[str, Any] = {"money": money, "n_runs": choice.n_runs}
     if trial.fires.residual > 0.0:
         for k, share in enumerate(_LENGTHS):
             step = part(progress, 0.4 + 0.2 * k, 0.6 + 0.2 * k, "widening: ")
-            made = reinforced(
-                network,
-                stakes,
-                trial,
-                lines(even, None),
-                length=share / even if even > 1 else 0.8 * share,
-                narrowest=narrowest,
-                money=money,
-                n_runs=n_runs,
-                progress=step,
+            length = share / even if even > 1 else 0.8 * share
+            thin = lines(even, None)
+            choice.attempt(
+                reinforced(network, stakes, trial, thin, length=length, narrowest=narrowest, **about, progress=step)
             )
-            attempt(made, 0.6 + 0.2 * k)
     elif not trial.fires.holding.perfect:
         step = part(progress, 0.4, 0.8, "laying: ")
         pool = lines(even, closing(network, trial.fires.holding))
-        attempt(most_passed(network, stakes, trial, pool, width=even, money=money, n_runs=n_runs, progress=step), 0.8)
-    # The best few meet other fires as well, since of many the first looks better than it is.
-    last = [
-        (lost + loss(layout, n_runs, 2), k, layout)
-        for k, (lost, layout) in enumerate(sorted(tried, key=lambda each: each[0])[:2])
-    ]
-    chosen = min(last)[2]
+        choice.attempt(most_passed(network, stakes, trial, pool, width=even, **about, progress=step))
+    chosen = choice.chosen()
     progress(1.0, f"chosen: {chosen.told}")
     return chosen
 
@@ -140,10 +121,9 @@ def closing(network: SpreadNetwork, hold: Hold) -> Callable[[np.ndarray], float]
     """Tell how often all stretches of a wall hold, from its row-major cells, as a share of what one stretch does."""
     block = stretches(network.shape, network.grid.cell_size, hold.length).ravel()
     fuel = network.burnable.ravel()
-    each = FIELD if hold.share is None else hold.share
 
     def chance(cells: np.ndarray) -> float:
-        return float(each ** max(np.unique(block[cells[fuel[cells]]]).size - 1, 0))
+        return all_hold(hold, np.unique(block[cells[fuel[cells]]]).size)
 
     return chance
 

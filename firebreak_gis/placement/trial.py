@@ -20,10 +20,13 @@ from firebreak_gis.threads import run_pieces
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.progress import Progress
     from firebreak_gis.simulation.ground import Ground
     from firebreak_gis.simulation.request import FireRequest
     from firebreak_gis.stakes import Stakes
+
+    Breaks = np.ndarray | LineBreaks | None
 
 #: Pieces into which the runs of one weather are split, the same for any number of threads, so that sums have one order.
 _PIECES = 4
@@ -64,17 +67,13 @@ class Trial:
         tally = burn_timed(**self._given(None, _PILOT, 0), value=None, products=Products(), **self._ways(silent))
         return int(np.clip(work / max(float(tally.sizes.mean()), 1.0), least, most))
 
-    def losses(
-        self, cut: np.ndarray | None, *, n_runs: int, first_run: int = 0, progress: Progress = silent
-    ) -> np.ndarray:
-        """Value that each fire takes, (n_runs,) float64; `cut` is (rows, cols) bool."""
+    def losses(self, cut: Breaks, *, n_runs: int, first_run: int = 0, progress: Progress = silent) -> np.ndarray:
+        """Value that each fire takes, (n_runs,) float64; `cut` is (rows, cols) bool, or lines."""
         given = self._given(cut, n_runs, first_run)
         tally = burn_timed(**given, value=self.stakes.value.ravel(), products=Products(), **self._ways(progress))
         return np.asarray(tally.lost)
 
-    def passing(
-        self, cut: np.ndarray | None, *, n_runs: int, first_run: int = 0, progress: Progress = silent
-    ) -> np.ndarray:
+    def passing(self, cut: Breaks, *, n_runs: int, first_run: int = 0, progress: Progress = silent) -> np.ndarray:
         """Value that each cell lets through, its own and that of all that was lit by way of it, in the mean.
 
         Returns
@@ -116,7 +115,7 @@ class Trial:
     def _ways(self, progress: Progress) -> dict[str, Any]:
         return {"threads": self.threads, "progress": progress}
 
-    def _given(self, cut: np.ndarray | None, n_runs: int, first_run: int) -> dict[str, Any]:
+    def _given(self, cut: Breaks, n_runs: int, first_run: int) -> dict[str, Any]:
         """Arguments of `burn_timed` and `made_ready` that say what burns."""
         from firebreak_gis.kernels.draws import seed_for
         from firebreak_gis.simulation.fires import limits_of

@@ -15,6 +15,7 @@ from firebreak_gis.network import checked_residual
 if TYPE_CHECKING:
     from firebreak_gis.breaks import Budget
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.planning.line_design import LineWidth
     from firebreak_gis.simulation.ignitions import Ignitions
     from firebreak_gis.stakes import Stakes
 
@@ -58,7 +59,7 @@ def feasibility(
     width: float | None = None,
     residual: float = 0.0,
     refine: bool = False,
-    line_width: float | None = None,
+    line_width: LineWidth | None = None,
     ignitions: Callable[[], Ignitions] | None = None,
 ) -> Feasibility:
     """Check what is asked of a plan against the landscape.
@@ -211,9 +212,12 @@ class _Check:
                 "budget then encloses less. If width is there because breaks leak, give --residual"
             )
 
-    def lines(self, width: float | None, budget: Budget) -> None:
+    def lines(self, width: LineWidth | None, budget: Budget) -> None:
         """Whether breaks can be lines of that width, and how long they get."""
         if width is None:
+            return
+        if width == "auto":
+            self.account.append("breaks are lines of the width that suits the flames; they count by length times width")
             return
         if not (math.isfinite(width) and width > 0.0):
             self.problems.append(ParameterError(f"the width of lines is {width} m, expected a number above 0"))

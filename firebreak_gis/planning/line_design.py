@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.footprints import footprints
 from firebreak_gis.landscape.lines import LineBreaks, links_crossed
 from firebreak_gis.schema import annotate
+from firebreak_gis.simulation.holding import Hold
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -25,9 +27,14 @@ if TYPE_CHECKING:
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.placement.lines import LineCut
+    from firebreak_gis.placement.trial import Trial
     from firebreak_gis.progress import Progress
     from firebreak_gis.stakes import Stakes
 
+#: Of lines [m], or that which suits the flames.
+LineWidth = float | Literal["auto"]
+#: Widths that are tried, from the narrowest up until two in a row are worse than the best [m].
+WIDTHS = (5.0, 7.0, 10.0, 15.0, 20.0, 30.0, 40.0, 60.0, 80.0, 120.0)
 #: Walls are kept up to so many times the budget, for the curve about it.
 _BEYOND = 2.0
 #: Compartments of fewer cells are left whole, where nothing else is asked.
@@ -49,11 +56,17 @@ class LineDesign:
         The grid of the network.
     fuel_ha
         Area of all fuel, of which budgets are shares.
+    width
+        Of the lines [m].
+    told
+        What they are, in words.
     """
 
     walls: gpd.GeoDataFrame
     grid: Grid
     fuel_ha: float
+    width: float
+    told: str
 
     def bought(self, budget: Budget) -> int:
         """How many walls a budget pays, the first ones."""
@@ -81,7 +94,7 @@ class LineDesign:
         prints = footprints(self.walls, self.grid)
         plane = np.full(self.grid.shape, -np.inf)
         np.maximum.at(plane.ravel(), prints.cell, len(self.walls) - prints.feature.astype(np.float64))
-        return annotate(self.grid.dataarray(plane, "priority"))
+        return annotate(self.grid.dataarray(plane, "priority")).assign_attrs(design=self.told)
 
     def passed(self, budget: Budget) -> xr.DataArray:
         """`breaks` (y, x) uint8: 1 in cells that a line passes which the budget pays."""
@@ -98,12 +111,16 @@ def design_lines(
     *,
     stakes: Stakes,
     budget: Budget,
-    width: float,
+    width: float | None,
     params: Mapping[str, Any] | None = None,
+    trial: Trial | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> LineDesign:
     """Find walls that are lines of one width, see `placement.lines`.
+
+    Where breaks fail, walls of many stretches hold seldom. So they are tried out on fires in two orders of building:
+    by what a wall saves, and by that times how often it holds.
 
     Parameters
     ----------
@@ -112,37 +129,78 @@ def design_lines(
     budget
         For what it is: walls are kept up to twice as much.
     width
-        Of the lines [m].
+        Of the lines [m]; None: that of `WIDTHS` with which the fires of the trial take least.
     params
         `directions` and `smallest` of the ranking `dissection`.
+    trial
+        Fires with a clock of the kind that will judge the plan; None: walls are built in the order of what they save.
     threads, progress
         As in `plan`.
 
     Raises
     ------
     ParameterError
-        If the width is not above 0, or another parameter is given.
+        If the width is not above 0, or there are no fires to choose it by, or another parameter is given.
     """
-    import geopandas as gpd
-
-    from firebreak_gis.placement.dissection import sequence
+    from firebreak_gis.placement.choosing import Choice
     from firebreak_gis.placement.lines import dissect_by_lines
-    from firebreak_gis.progress import silent
+    from firebreak_gis.progress import part
 
     directions, smallest = line_params(params or {})
-    if not (np.isfinite(width) and width > 0):
+    if width is not None and not (np.isfinite(width) and width > 0):
         raise ParameterError(f"the width of lines is {width} m, expected a number above 0")
-    grid = network.grid
-    grid.require_metres("lines with a width")
+    if width is None and trial is None:
+        raise ParameterError(
+            "the width of lines is chosen by fires with a clock; give one in metres where there is none"
+        )
+    network.grid.require_metres("lines with a width")
     cuts = dissect_by_lines(
         network,
         stakes,
         directions=directions,
         smallest=smallest,
         threads=threads,
-        progress=progress or silent,
+        progress=part(progress, 0.0, 0.7 if trial else 1.0),
     )
-    order = sequence([cut.saved for cut in cuts], [cut.cost for cut in cuts], [cut.parent for cut in cuts])
+    drawing = partial(_drawn, cuts, network, stakes, budget, hold=Hold() if trial is None else trial.fires.holding)
+    if trial is None or (width is not None and trial.fires.holding.perfect):
+        return drawing(WIDTHS[0] if width is None else width, fails=False)
+    step = part(progress, 0.7, 1.0)
+    choice: Choice[LineDesign] = Choice(trial, network.n_burnable, lambda design: design.breaks(budget))
+
+    def told(each: float) -> LineDesign:
+        step(0.0, f"trying lines {each:g} m wide")
+        return drawing(each, fails=False)
+
+    best = choice.rising(told(each) for each in (WIDTHS if width is None else (width,)))
+    if not trial.fires.holding.perfect:
+        choice.attempt(drawing(best.width, fails=True))
+    return choice.chosen()
+
+
+def _drawn(
+    cuts: list[LineCut],
+    network: SpreadNetwork,
+    stakes: Stakes,
+    budget: Budget,
+    width: float,
+    *,
+    hold: Hold,
+    fails: bool,
+) -> LineDesign:
+    """Lines of a width, in an order of building that knows that walls fail, or does not."""
+    import geopandas as gpd
+
+    from firebreak_gis.placement.choosing import all_hold
+    from firebreak_gis.placement.dissection import sequence
+
+    grid = network.grid
+    often = [all_hold(hold, np.ceil(cut.length * grid.cell_size / hold.length)) if fails else 1.0 for cut in cuts]
+    order = sequence(
+        [cut.saved * share for cut, share in zip(cuts, often, strict=True)],
+        [cut.cost for cut in cuts],
+        [cut.parent for cut in cuts],
+    )
     area = width * grid.cell_size / 10_000.0
     price = width / grid.cell_size
     fuel_ha = network.n_burnable * grid.cell_area_ha
@@ -159,7 +217,8 @@ def design_lines(
         "cost": cost * price,
         "saved": np.array([cut.saved for cut in kept]),
     }
-    return LineDesign(frame.assign(**table), grid, fuel_ha)
+    told = f"lines {width:g} m wide, those first that save most" + (" and hold most often" if fails else "")
+    return LineDesign(frame.assign(**table), grid, fuel_ha, float(width), told)
 
 
 def line_params(params: Mapping[str, Any]) -> tuple[int, int]:

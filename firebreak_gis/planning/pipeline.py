@@ -14,6 +14,7 @@ from firebreak_gis.planning.burning import USUAL, burnt_with, seconds_of
 from firebreak_gis.planning.designs import designed, rankings
 from firebreak_gis.planning.feasibility import Feasibility
 from firebreak_gis.planning.goals import Goal
+from firebreak_gis.planning.line_design import LineWidth
 from firebreak_gis.planning.made import Plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
 from firebreak_gis.planning.setting import settle
@@ -72,7 +73,7 @@ def plan(
     timeless: bool = False,
     refine: bool = False,
     goal: Goal = "mean",
-    line_width: float | None = None,
+    line_width: LineWidth | None = None,
     years: YearsRequest | None = None,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
@@ -142,7 +143,7 @@ def plan(
         `planning.goals`. `Plan.goals` tells what the plan does for both, in hectares and values.
     line_width
         Width of breaks that are lines in place of whole cells [m], which the method `dissection` then plans; the budget
-        counts length times width.
+        counts length times width. `"auto"`: with `hold` by flames, the width with which fires take least.
     years
         Over how many years the plan is built and kept up, see `years.YearsRequest`; default: all at once.
     ignitions, ignition_mode, n_runs, seed, threads, progress

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.landscape.target_grid import Account
+from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning.feasibility import feasibility, width_in_cells
 from firebreak_gis.planning.judging import Judging, Scene
 from firebreak_gis.planning.treating import offers_of, priced
@@ -77,6 +78,12 @@ class Setting:
     def value(self) -> np.ndarray | None:
         """(rows, cols) lost where a cell burns; None where nothing is at stake but its area."""
         return None if self.planes.value is None else self.stakes.value
+
+    @property
+    def trial(self) -> Trial | None:
+        """Fires to try designs on; None without a clock."""
+        fires = self.judged.fires
+        return Trial(self.ground, fires, self.stakes, fires.seed, self.threads) if self.judged.clock else None
 
     @property
     def about(self) -> dict[str, Any]:

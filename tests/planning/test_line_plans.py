@@ -18,9 +18,14 @@ from firebreak_gis.cli import firebreak
 from firebreak_gis.construction.compartments import compartments_of, split
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.landscape.lines import line_breaks, links_crossed
+from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning.judging import ASSUMED_DURATION, ASSUMED_HOLD
-from firebreak_gis.planning.line_design import chained, design_lines
+from firebreak_gis.planning.line_design import WIDTHS, chained, design_lines
 from firebreak_gis.planning.outputs import write_plan
+from firebreak_gis.simulation.durations import as_duration
+from firebreak_gis.simulation.ground import Ground
+from firebreak_gis.simulation.holding import as_hold
+from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.stakes import Stakes
 
 
@@ -202,7 +207,12 @@ def test_what_lines_cannot_have_is_refused(landscape, tmp_path):
         with pytest.raises(ParameterError, match=told):
             plan(landscape, **({"line_width": 6.0, "n_runs": 1} | more))
     words = ["plan", "a.tif", "b.tif", "-o", str(tmp_path / "out"), "--line-width"]
-    for more, told in ((["wide"], "12m"), (["6", "--treatments", "default"], "--treatments"), (["-1m"], "above 0")):
+    for more, told in (
+        (["wide"], "12m, or auto"),
+        (["auto"], "--hold flame"),
+        (["6", "--treatments", "default"], "--treatments"),
+        (["-1m"], "above 0"),
+    ):
         outcome = CliRunner().invoke(firebreak, [*words, *more])
         assert outcome.exit_code == 2, outcome.output
         assert told in outcome.output
@@ -229,3 +239,53 @@ def test_lines_of_a_wall_follow_each_other():
     mixed = [pieces[k][:: 1 - 2 * (k % 2)] for k in (3, 0, 5, 1, 4, 2)]
     found = np.array(chained(mixed))
     np.testing.assert_array_equal(found if found[0, 0, 0] == 0 else found[::-1, ::-1], pieces)
+
+
+def test_a_width_that_suits_the_flames_is_that_with_which_fires_take_least(landscape, network):
+    stakes, budget = Stakes(network), Budget(0.08)
+    timed = spread_network(landscape, wind_speed=3, clock=True)
+    fires = FireRequest(duration=as_duration("8h"), hold=as_hold("flame"))
+    trial = Trial(Ground(timed), fires, stakes, 0)
+    chosen = design_lines(network, stakes=stakes, budget=budget, width=None, trial=trial)
+    n_runs = trial.runs(2.0e6)
+    lost = {
+        width: trial.losses(
+            design_lines(network, stakes=stakes, budget=budget, width=width).breaks(budget), n_runs=n_runs
+        ).sum()
+        for width in WIDTHS[:8]
+    }
+    assert lost[chosen.width] <= sorted(lost.values())[1]
+    assert lost[chosen.width] < 0.9 * lost[5.0]
+    assert f"{chosen.width:g} m wide" in chosen.told
+
+
+def test_orders_of_building_are_tried_out_where_breaks_fail(network, landscape, monkeypatch):
+    """Without fires the order that saves most; with them, that which loses less in them."""
+    stakes, budget = Stakes(network), Budget(0.08)
+    plain = design_lines(network, stakes=stakes, budget=budget, width=6.0)
+    trial = Trial(Ground(spread_network(landscape, clock=True)), FireRequest(hold=as_hold("0.2:60")), stakes, 0)
+    losses = {}
+    for favoured in (True, False):
+        monkeypatch.setattr(Trial, "losses", lambda self, cut, favoured=favoured, **_: judged(cut, favoured))
+
+        def judged(cut, favoured):
+            own = cut.lines.geometry.iloc[:20].geom_equals_exact(plain.walls.geometry.iloc[:20], 0).all()
+            return np.array([0.0 if own == favoured else 1.0])
+
+        losses[favoured] = design_lines(network, stakes=stakes, budget=budget, width=6.0, trial=trial)
+    assert losses[True].walls.geometry.geom_equals_exact(plain.walls.geometry, 0).all()
+    other = losses[False].walls
+    assert not other.geometry.iloc[:20].geom_equals_exact(plain.walls.geometry.iloc[:20], 0).all()
+    assert "hold most often" in losses[False].told
+    # Short walls come earlier where stretches fail.
+    assert other["length_m"].iloc[:10].mean() < plain.walls["length_m"].iloc[:10].mean()
+
+
+def test_a_plan_of_lines_that_suit_the_flames_tells_their_width(landscape):
+    made = plan(landscape, budget=0.06, line_width="auto", hold="flame", n_runs=10)
+    assert made.parameters["line_width"] in WIDTHS
+    assert set(made.walls["width_m"]) == {made.parameters["line_width"]}
+    assert f"{made.parameters['line_width']:g} m wide" in made.summary["design"]
+    for more in ({}, {"hold": 0.47}, {"hold": "flame", "timeless": True}):
+        with pytest.raises(ParameterError, match="--hold flame"):
+            plan(landscape, budget=0.06, line_width="auto", n_runs=1, **more)

@@ -56,10 +56,10 @@ STEP = 1
 )
 @click.option(
     "--line-width",
-    type=kinds.METRES,
-    metavar="METRES",
+    type=kinds.PLANNED_WIDTH,
+    metavar="METRES|auto",
     help="Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the "
-    "budget counts their length times their width.",
+    "budget counts their length times their width. With --hold flame, auto is the width with which fires take least.",
 )
 @click.option(
     "--treatments",

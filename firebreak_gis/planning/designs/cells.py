@@ -9,7 +9,6 @@ import numpy as np
 
 from firebreak_gis.breaks import break_polygons, select_breaks
 from firebreak_gis.construction.segments import Segments, segments_of
-from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning.budgets import reachable
 from firebreak_gis.planning.design import design
 from firebreak_gis.planning.designs import Design, Rest
@@ -27,10 +26,9 @@ ORDER = 100
 
 def make(setting: Setting, _: Rest, progress: Progress) -> Cells:
     """Rank the cells, and cut the first."""
-    request, network, judged = setting.request.design, setting.network, setting.judged
-    fires = judged.fires
-    trial = Trial(setting.ground, fires, setting.stakes, fires.seed, setting.threads) if judged.clock else None
-    priority = design(network, request.method, stakes=setting.stakes, **setting.about, trial=trial, progress=progress)
+    request, network, about = setting.request.design, setting.network, setting.about
+    trial = setting.trial
+    priority = design(network, request.method, stakes=setting.stakes, **about, trial=trial, progress=progress)
     breaks = select_breaks(priority, budget=request.amount, burnable=network.burnable, cost=setting.stakes.cost)
     return Cells(setting, priority, breaks)
 

@@ -52,20 +52,26 @@ def require(request: PlanRequest) -> None:
             f"{'it' if len(refused) == 1 else 'them'} out, or the width of lines"
         )
     line_params(design.method_params)
+    if design.line_width == "auto" and (request.timeless or request.fires.holding.share is not None):
+        raise ParameterError(
+            "--line-width auto is the width that suits the flames, by fires with a clock; give --hold flame, under "
+            "which wider lines hold more often, or the width in metres"
+        )
     if request.calendar.years > 1:
         raise ParameterError("--years schedules breaks of whole cells; leave --years or --line-width out")
 
 
 def make(setting: Setting, _: Rest, progress: Progress) -> Lines:
     """Find the walls."""
-    request = setting.request.design
-    assert request.line_width is not None
+    request, width = setting.request.design, setting.request.design.line_width
+    assert width is not None
     found = design_lines(
         setting.network,
         stakes=setting.stakes,
         budget=request.amount,
-        width=request.line_width,
+        width=None if width == "auto" else width,
         params=request.method_params,
+        trial=setting.trial,
         threads=setting.threads,
         progress=progress,
     )
@@ -140,14 +146,14 @@ class Lines(Design):
         """Kilometres, width, hectares and walls."""
         figures = self.figures
         return (
-            f"{figures['line_km']:,.1f} km of lines {self.setting.request.design.line_width:g} m wide "
+            f"{figures['line_km']:,.1f} km of lines {self.found.width:g} m wide "
             f"({figures['ha_cut']:,.1f} ha) in {figures['walls']} walls"
         )
 
     @property
     def parameters(self) -> dict[str, Any]:
         """The width."""
-        return {"line_width": self.setting.request.design.line_width}
+        return {"line_width": self.found.width}
 
     @property
     def _amount(self) -> Budget:
