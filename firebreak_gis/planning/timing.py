@@ -39,8 +39,10 @@ _PIECE, _MOST_CELLS = 1 / 16, 150_000
 _SMALL = 40_000
 #: Powers of the cells that costs may grow with.
 _POWERS = (1.0, 2.5)
-#: Of all fires that will be burnt so many are burnt for the pilot, at most so many; and in a window.
-_PILOT, _MOST_FIRES, _MOST_IN_WINDOW = 1 / 50, 64, 12
+#: Of all fires that will be burnt so many are burnt for the pilot, at most so many; in a window few and more.
+_PILOT, _MOST_FIRES, _IN_WINDOW = 1 / 50, 64, (8, 64)
+#: A piece that is delineated has so many compartments, and at most this share of the cells.
+_COMPARTMENTS, _MOST_OF_MAP = 8, 1 / 4
 
 Now = Callable[[], float]
 
@@ -209,41 +211,50 @@ def window_seconds(
     counts, burn_in = window_work(source, fires, side=side)
     first, each = [], []
     for k in {len(counts) // 3, 2 * len(counts) // 3}:
-        count = min(counts[k], _MOST_IN_WINDOW)
+        # One run alone mostly stays in its window; of a few, some need the larger ones, which then all share.
+        few, more = (min(counts[k], most) for most in _IN_WINDOW)
         burn_in(k, 1)
-        one = worked(partial(burn_in, k, 1), now)
-        first.append(one)
-        if count > 1:
-            each.append(max(worked(partial(burn_in, k, count), now) - one, 0.0) / (count - 1))
-    more = float(np.mean(each)) if each else 0.0
-    whole = float(np.mean(first)) * len(counts) + more * (sum(counts) - len(counts))
+        first.append(worked(partial(burn_in, k, few), now))
+        if more > few:
+            each.append(max(worked(partial(burn_in, k, more), now) - first[-1], 0.0) / (more - few))
+            first[-1] -= min((few - 1) * each[-1], first[-1])
+    run = float(np.mean(each)) if each else 0.0
+    whole = float(np.mean(first)) * len(counts) + run * (sum(counts) - len(counts))
     return whole / min(thread_count(threads), len(counts))
 
 
 def delineation_seconds(
-    network: SpreadNetwork, suitability: np.ndarray, *, now: Now = time.perf_counter, **asked: Any
+    network: SpreadNetwork, suitability: np.ndarray, *, size_ha: float, now: Now = time.perf_counter, **asked: Any
 ) -> float:
-    """Seconds that compartments take, from those of two pieces of the map; 0 on small maps, or if no piece can tell.
+    """Seconds that compartments take, from those of a piece of the map; 0 on small maps, or if the piece cannot tell.
+
+    All cells are looked at on each level of the nested cuts, and levels are the binary logarithm of the compartments.
 
     Parameters
     ----------
-    network, suitability, asked
+    network, suitability, size_ha, asked
         As in `delineations.delineate`.
     now
         Tells the time [s].
     """
-
-    def work(rows: slice, cols: slice) -> None:
-        transform = network.grid.transform
-        piece = SpreadNetwork(
-            network.probability[:, rows, cols], burnable=network.burnable[rows, cols], transform=transform
-        )
-        delineate(piece, suitability[rows, cols], **asked)
-
+    cells = network.burnable.size
+    target = size_ha / network.grid.cell_area_ha
+    share = min(max(_PIECE, _COMPARTMENTS * target / cells), _MOST_OF_MAP)
+    if cells < _SMALL:
+        return 0.0
+    rows, cols = (_middle(n, math.sqrt(share)) for n in network.shape)
+    transform = network.grid.transform
+    piece = SpreadNetwork(
+        network.probability[:, rows, cols], burnable=network.burnable[rows, cols], transform=transform
+    )
+    work = partial(delineate, piece, suitability[rows, cols], size_ha=size_ha, **asked)
     try:
-        return by_pieces(work, network.shape, now)
+        work()  # what is loaded at the first call does not count
+        taken = worked(work, now)
     except FirebreakError:  # a piece without fuel
         return 0.0
+    levels, known = (math.log2(max(n / target, 1.0) + 1.0) for n in (cells, piece.burnable.size))
+    return taken * cells / piece.burnable.size * levels / known
 
 
 def _middle(n: int, share: float) -> slice:

@@ -138,7 +138,8 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
             wanted = self._destinations(parameters, context)
             values = FormValues(self, parameters, context, feedback, folder).read(self._description.fields)
             layers = [str(values[f.name]) for f in self._description.fields if f.kind in ("raster", "vector", "file")]
-            refuse_formats(wanted, {output.name: output.file for output in self._description.outputs})
+            files = {o.name: o.file_for(wanted.get(o.name, "")) for o in self._description.outputs}
+            refuse_formats(wanted, files)
             refuse_inputs(wanted, [path for path in layers if path != "None"])
             result = self._run(engine, values, wanted, folder, feedback)
             run_of = self._run_of(engine, values, folder.name)
@@ -167,7 +168,9 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
     ) -> dict[str, Any]:
         form, fields, target = self._description.form, self._description.fields, folder / "out"
         target.mkdir()
-        extra = {"-o": str(target if self._description.into_folder else target / self._main_output().file)}
+        main = self._main_output()
+        file = main.file_for(wanted.get(main.name, ""))
+        extra = {"-o": str(target if self._description.into_folder else target / file)}
         for output in self._description.outputs:
             if output.flag and output.name in wanted:
                 extra[output.flag] = str(target / output.file)
@@ -232,14 +235,15 @@ class FirebreakAlgorithm(QgsProcessingAlgorithm):
                 deliver_folder(made / output.file, Path(path))
                 delivered[output.name] = path
                 continue
-            if not (made / output.file).is_file():
+            file = made / output.file_for(path)
+            if not file.is_file():
                 message = translate("Firebreak", "{} was not made: there is nothing to put in it.")
                 feedback.pushWarning(message.format(output.name))
                 continue
             if output.kind == "vector":
-                deliver_vector(made / output.file, Path(path), context, feedback)
+                deliver_vector(file, Path(path), context, feedback)
             else:
-                deliver(made / output.file, Path(path))
+                deliver(file, Path(path))
             if output.kind != "file":
                 style_later(output, path, run_of, context)
             elif output.file == "report.html":

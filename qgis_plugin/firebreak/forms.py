@@ -55,6 +55,7 @@ class Form:
 
 
 _LAYERS = ("dem", "vegetation", "density", "legend")
+_AT_STAKE = ("values", "protected", "barriers")
 _FIRES = ("ignitions", "n_runs", "seed")
 _WIND = ("wind_speed", "wind_from")
 _CLOCK = ("duration", "hold", "embers")
@@ -130,18 +131,7 @@ FORMS = (
         "plan",
         "Plan fire breaks",
         "cut",
-        (
-            *_LAYERS,
-            "values",
-            "protected",
-            "barriers",
-            *_WIND,
-            "duration",
-            "budget",
-            "method",
-            "ignitions",
-            "n_runs",
-        ),
+        (*_LAYERS, *_AT_STAKE, *_WIND, "duration", "budget", "method", "ignitions", "n_runs"),
         (
             "OUTPUT_BREAKS",
             "OUTPUT_SEGMENTS",
@@ -158,7 +148,7 @@ FORMS = (
         "rank",
         "Rank cells",
         "cut",
-        ("network", "method", "budget", "values", "protected", "barriers", "seed"),
+        ("network", "method", "budget", *_AT_STAKE, "seed"),
         ("OUTPUT_PRIORITY",),
         "Rank the cells of a spread network by the order in which they should be cut: higher is earlier.\n\n"
         "Rankings that lay a pattern for the budget give another order for another budget.",
@@ -191,6 +181,31 @@ FORMS = (
             "compartments": "Compartments",
         },
         tags=("line", "stage", "compartment"),
+    ),
+    Form(
+        "mapbook",
+        "Map book for crews",
+        "cut",
+        ("run", "title", "date", "roads", "water", "pages", "paper"),
+        ("OUTPUT_MAPBOOK",),
+        "Print a plan as a PDF: an overview, a list of the segments, and a page for each with a map at a round scale, "
+        "its ends, sizes, slope, cost and treatment, and what it is for.\n\n"
+        "Choose the folder into which all files of the plan were written. Its segments alone do as well, without the "
+        "vegetation; then the elevation is asked for.",
+        {"segments": "Segments", "segments_with_page": "Segments with a page"},
+        tags=("pdf", "print", "atlas", "crew"),
+    ),
+    Form(
+        "export",
+        "Files for crews",
+        "cut",
+        ("made", "what"),
+        ("OUTPUT_CREWS",),
+        "Write segments, breaks or compartments of a plan in the format of a crew.\n\n"
+        "The ending of the file chooses it: .kml for Google Earth and phones, .gpx for GPS devices, .dxf for drawings, "
+        ".zip for a Shapefile, .geojson for the web.",
+        {"features": "Features"},
+        tags=("kml", "gpx", "dxf", "shapefile", "gps", "crew"),
     ),
     Form(
         "burn",

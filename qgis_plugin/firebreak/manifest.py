@@ -109,6 +109,14 @@ class Output:
     flag: str
     shown: bool
 
+    def file_for(self, path: str) -> str:
+        """Return the name of the file that the command writes for a destination, whose ending may choose the format."""
+        endings = names.ENDINGS.get(self.file)
+        if endings is None:
+            return self.file
+        given = PurePath(path).suffix.lower()
+        return PurePath(self.file).stem + (given if given in endings else endings[0])
+
 
 @dataclass(frozen=True)
 class Description:
@@ -204,7 +212,11 @@ def _fields(option: dict[str, Any], form: forms.Form, either: set[str]) -> Itera
         )
 
 
-_VARIANTS = {"weather": "as a wind rose: rose:NW=5x0.4,N=8x0.2", "treatments": "as a word"}
+_VARIANTS = {
+    "run": "as its segments (segments.gpkg)",
+    "weather": "as a wind rose: rose:NW=5x0.4,N=8x0.2",
+    "treatments": "as a word",
+}
 _OTHERS = {
     "choice": "as one class for all fuel",
     "file": "as a CSV file",

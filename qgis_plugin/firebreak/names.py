@@ -62,7 +62,12 @@ FILES: Mapping[str, tuple[str, str]] = {
     "siting": ("suitability.tif", "Where a line can be held"),
     "report": ("report.html", "The run on one page"),
     "calibrate": ("calibration.toml", "Calibration, which other forms take"),
+    "mapbook": ("mapbook.pdf", "Map book"),
+    "export": ("crews.*", "File for the crew"),
 }
+
+#: Endings among which the destination of such a file chooses; the first one is the usual one.
+ENDINGS: Mapping[str, tuple[str, ...]] = {"crews.*": (".kml", ".gpx", ".dxf", ".zip", ".geojson")}
 
 #: Parameters of methods that an option of the same meaning sets; the help leaves them out.
 SET_BY_OPTION = frozenset({"wind_speed", "wind_from_direction", "moisture"})

@@ -8,6 +8,7 @@ from html import escape
 from pathlib import Path, PurePath
 from typing import Any
 
+from . import names
 from .manifest import Description, Field
 from .names import SET_BY_OPTION
 from .translation import translate
@@ -18,7 +19,15 @@ _PICTURE_WIDTH = 220  # of the narrow help panel
 _PLACEHOLDER = "example.org"  # stands in metadata.txt until `build_zip.py --release` puts the address in
 #: Where the documentation describes a command; `docs/reference.py` writes it.
 PAGE = "/generated/commands.html#firebreak-{command}"
-_FILTERS = {".csv": "CSV", ".png": "PNG", ".svg": "SVG", ".html": "HTML", ".json": "JSON", ".txt": "TXT"}
+_FILTERS = {
+    ".csv": "CSV",
+    ".png": "PNG",
+    ".svg": "SVG",
+    ".html": "HTML",
+    ".json": "JSON",
+    ".txt": "TXT",
+    ".zip": "Shapefile",
+}
 
 
 def translated(text: str) -> str:
@@ -47,6 +56,8 @@ def field_label(field: Field) -> str:
 
 def file_filter(file: str) -> str:
     """Return the filter of a file dialog for files like this one."""
+    if file in names.ENDINGS:
+        return ";;".join(file_filter(f"file{ending}") for ending in names.ENDINGS[file])
     suffix = PurePath(file).suffix
     return f"{_FILTERS.get(suffix, suffix[1:].upper())} (*{suffix})"
 

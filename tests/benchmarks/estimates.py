@@ -116,7 +116,7 @@ def measure_times(size: int) -> dict[str, tuple[float, float]]:
         rows, cols = np.indices(grid.shape)
         middle = np.maximum(np.abs(rows - size // 2), np.abs(cols - size // 2))
         wall = (rows % (size // 6) == size // 12) & (cols % (size // 3) > size // 24)
-        for file, plane in (("wall", wall), ("start", middle < 4), ("scar", middle < size // 12)):
+        for file, plane in (("wall", wall), ("start", middle < 8), ("scar", middle < size // 12)):
             write_raster(folder / f"{file}.tif", grid.dataarray(plane.astype(np.uint8), "breaks"))
         table = "landscape,scar,start,duration,weather\nland,scar.tif,start.tif,8h,rose:NW=4\n"
         (folder / "scars.csv").write_text(table)

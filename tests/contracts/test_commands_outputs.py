@@ -42,7 +42,7 @@ GIVEN = {
     "duration": "1h",
     "fit": "rate",
     "run": "compared",
-    "source": "segments.gpkg",
+    "made": "segments.gpkg",
 }
 #: What the same name means elsewhere.
 OWN = {

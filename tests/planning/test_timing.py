@@ -15,6 +15,7 @@ from firebreak_gis.planning import timing
 from firebreak_gis.planning.timing import (
     Estimate,
     by_pieces,
+    delineation_seconds,
     fire_seconds,
     ranking_seconds,
     runs_seconds,
@@ -165,7 +166,7 @@ def test_simulations_are_told_by_one_run_and_a_few():
 def test_windows_are_told_by_two_of_them(monkeypatch):
     """Each is read once, and then burnt in; threads share them."""
     clock, seen = Clock(), []
-    counts = [3, 40, 1, 25, 7, 30]
+    counts = [3, 140, 90, 25, 70, 30]
 
     def burn(k, count):
         assert count <= counts[k]
@@ -177,7 +178,28 @@ def test_windows_are_told_by_two_of_them(monkeypatch):
     for threads in (1, 2, 50):
         found = window_seconds(None, None, side=16, threads=threads, now=clock)
         assert found == pytest.approx(whole / min(threads, len(counts)))
-    assert {k for k, _ in seen} == {2, 4}
+    assert set(seen) == {(k, count) for k in (2, 4) for count in (1, 8, 64)}
+    counts[:] = [5, 3]  # too few to tell what one more costs
+    assert window_seconds(None, None, side=16, threads=1, now=clock) > 0.0
+
+
+def test_compartments_are_told_by_a_piece_with_several(monkeypatch):
+    """The work is that of all cells on every level."""
+    clock, seen = Clock(), []
+
+    def delineate(piece, good, *, size_ha, strength):
+        assert piece.shape == good.shape
+        seen.append((piece.burnable.size, strength))
+        clock.time += 1e-3 * piece.burnable.size * np.log2(piece.burnable.size / 2_000 + 1)
+
+    monkeypatch.setattr(timing, "delineate", delineate)
+    network = fb.SpreadNetwork(np.full((8, 400, 500), 0.5))  # cells of a square metre
+    good = np.ones(network.shape)
+    found = delineation_seconds(network, good, size_ha=0.2, strength=3.0, now=clock)
+    assert found == pytest.approx(1e-3 * 200_000 * np.log2(101), rel=0.03)
+    assert [size for size, _ in seen] == [pytest.approx(16_000, rel=0.02)] * 2
+    small = fb.SpreadNetwork(np.full((8, 100, 100), 0.5))
+    assert delineation_seconds(small, np.ones((100, 100)), size_ha=0.2, now=clock) == 0.0
 
 
 def test_a_little_of_the_windows_is_what_windows_do():

@@ -231,7 +231,14 @@ def test_groups():
             "Where a line can be held",
             "Compartments bounded by control lines",
         ],
-        "2 Rank and cut": ["Plan fire breaks", "Rank cells", "Select fire breaks", "Segments to build"],
+        "2 Rank and cut": [
+            "Plan fire breaks",
+            "Rank cells",
+            "Select fire breaks",
+            "Segments to build",
+            "Map book for crews",
+            "Files for crews",
+        ],
         "3 Burn": ["Burn frequency"],
         "4 Judge": [
             "Judge existing breaks",

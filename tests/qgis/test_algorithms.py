@@ -312,6 +312,23 @@ def test_a_folder_of_all_files_and_its_report(layers, tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["geojson", "fgb", "shp"])
+def test_files_for_crews(layers, tmp_path):
+    """The map book of a plan, and its segments in the formats of crews, by the ending of the destination."""
+    folder = tmp_path / "plan"
+    processing.run("firebreak:plan", {**layers, **QUICK, "METHOD": "compartments", "OUTPUT_FOLDER": str(folder)})
+    book = run("mapbook", RUN_FOLDER=str(folder), PAGES=2, TITLE="Two pages", OUTPUT_MAPBOOK=str(tmp_path / "book.pdf"))
+    assert Path(book["OUTPUT_MAPBOOK"]).read_bytes().startswith(b"%PDF")
+    assert book["SEGMENTS_WITH_PAGE"] == 2 <= book["SEGMENTS"]
+    segments = folder / "segments.gpkg"
+    for ending in ("kml", "gpx", "dxf", "geojson"):
+        found = run("export", MADE=str(segments), OUTPUT_CREWS=str(tmp_path / f"crew.{ending}"))
+        firebreak("export", segments, "-o", tmp_path / f"own.{ending}")
+        assert Path(found["OUTPUT_CREWS"]).read_bytes() == (tmp_path / f"own.{ending}").read_bytes(), ending
+        assert found["FEATURES"] == book["SEGMENTS"]
+    with pytest.raises(QgsProcessingException, match=r"is written as \.kml, but crew\.shp"):
+        run("export", MADE=str(segments), OUTPUT_CREWS=str(tmp_path / "crew.shp"))
+
+
 def test_vector_outputs_in_the_format_chosen(ending, reference, tmp_path):
     found = run(
         "breaks",

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 
 @click.command("export")
-@click.argument("source", metavar="SEGMENTS", type=kinds.VECTOR)
+@click.argument("made", metavar="SEGMENTS", type=kinds.GEOPACKAGE)
 @outputs.output_file("File", kinds.NEW_VECTOR)
 @outputs.what
 @options.common
 @built(output=OutputRequest)
-def command(session: Session, source: str, output: OutputRequest, what: What | None) -> None:
+def command(session: Session, made: str, output: OutputRequest, what: What | None) -> None:
     """Write SEGMENTS, the segments.gpkg of a plan, in the format of a crew; or its breaks.gpkg or compartments.gpkg.
 
     The extension chooses the format: .shp or .zip (Shapefile), .geojson, .kml (Google Earth, phones), .gpx (GPS
@@ -30,12 +30,12 @@ def command(session: Session, source: str, output: OutputRequest, what: What | N
     from firebreak_gis.construction.writing import KINDS, read_written, require_what, write_layers_of
     from firebreak_gis.vectors import require_writable_vector
 
-    require_writable_vector(output.output, overwrite=output.overwrite, forbid=[source])
+    require_writable_vector(output.output, overwrite=output.overwrite, forbid=[made])
     if what is not None:
         require_what(output.output, what)
-    frames = read_written(source)
+    frames = read_written(made)
     session.progress(0.3, "writing")
-    write_layers_of(output.output, frames, what=what, overwrite=output.overwrite, forbid=[source])
+    write_layers_of(output.output, frames, what=what, overwrite=output.overwrite, forbid=[made])
     name: str = what or next(iter(frames))
     session.finish(
         {"files": [output.output], "layer": name, "features": len(frames[name]), "kind": KINDS[name]},

@@ -13,7 +13,7 @@ from firebreak_gis.files.request import OutputRequest
 
 
 @click.command("mapbook")
-@click.argument("source", metavar="DIR|SEGMENTS", type=click.Path(exists=True))
+@click.argument("run", metavar="DIR|SEGMENTS", type=kinds.FOLDER_OR_FILE)
 @outputs.output_file("Map book", kinds.NEW_BOOK)
 @click.option("--title", default="", metavar="TEXT", help="Title of the book [default: what the plan says of itself].")
 @click.option("--date", default="", metavar="TEXT", help="Date of the data or the print, shown as it is given.")
@@ -23,7 +23,7 @@ from firebreak_gis.files.request import OutputRequest
     "--dem",
     type=kinds.RASTER,
     metavar="RASTER",
-    help="Elevation on any grid, for SEGMENTS; the folder of a plan has its own.",
+    help="Elevation on any grid, beside segments alone; the folder of a plan has its own.",
 )
 @filters.where
 @click.option(
@@ -48,7 +48,7 @@ from firebreak_gis.files.request import OutputRequest
 @built(output=OutputRequest)
 def command(
     session: Session,
-    source: str,
+    run: str,
     output: OutputRequest,
     title: str,
     date: str,
@@ -72,13 +72,13 @@ def command(
     from firebreak_gis.report.mapbook import write_book
     from firebreak_gis.report.mapbook.atlas import read_atlas
 
-    place = Path(source)
+    place = Path(run)
     if dem is not None and place.is_dir():
-        raise ParameterError(f"{source} holds the elevation of its plan; leave --dem out")
-    inputs = [*(place.glob("*") if place.is_dir() else [source]), *files_behind(filter(None, (roads, water, dem)))]
+        raise ParameterError(f"{run} holds the elevation of its plan; leave --dem out")
+    inputs = [*(place.glob("*") if place.is_dir() else [run]), *files_behind(filter(None, (roads, water, dem)))]
     require_writable(output.output, overwrite=output.overwrite, forbid=[i for i in inputs if Path(i).suffix != ".pdf"])
     session.progress(0.0, "reading")
-    atlas = read_atlas(source, title=title, date=date, dem=dem, roads=roads, water=water)
+    atlas = read_atlas(run, title=title, date=date, dem=dem, roads=roads, water=water)
     own = write_book(
         output.output,
         atlas,

@@ -1276,6 +1276,142 @@
         <translation>Ihre Umrisse</translation>
     </message>
     <message>
+        <source>Map book for crews</source>
+        <translation>Kartenbuch für die Trupps</translation>
+    </message>
+    <message>
+        <source>Print a plan as a PDF: an overview, a list of the segments, and a page for each with a map at a round scale, its ends, sizes, slope, cost and treatment, and what it is for.</source>
+        <translation>Druckt einen Plan als PDF: eine Übersicht, eine Liste der Teilstücke und für jedes eine Seite mit einer Karte in rundem Maßstab, seinen Enden, Maßen, Neigung, Kosten und Behandlung, und wozu er dient.</translation>
+    </message>
+    <message>
+        <source>Choose the folder into which all files of the plan were written. Its segments alone do as well, without the vegetation; then the elevation is asked for.</source>
+        <translation>Wählen Sie den Ordner, in den alle Dateien des Plans geschrieben wurden. Seine Teilstücke allein genügen auch, ohne die Vegetation; dann wird nach der Höhe gefragt.</translation>
+    </message>
+    <message>
+        <source>Segments with a page</source>
+        <translation>Teilstücke mit eigener Seite</translation>
+    </message>
+    <message>
+        <source>Folder of the run</source>
+        <translation>Ordner des Laufs</translation>
+    </message>
+    <message>
+        <source>Into which a plan or a comparison was written with all its files.</source>
+        <translation>In den ein Plan oder Vergleich mit allen seinen Dateien geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Title of the book [default: what the plan says of itself].</source>
+        <translation>Titel des Buches [Vorgabe: was der Plan von sich sagt].</translation>
+    </message>
+    <message>
+        <source>Date, as it is to be shown</source>
+        <translation>Datum, wie es erscheinen soll</translation>
+    </message>
+    <message>
+        <source>Date of the data or the print, shown as it is given.</source>
+        <translation>Datum der Daten oder des Drucks; es erscheint, wie es angegeben wird.</translation>
+    </message>
+    <message>
+        <source>Roads to draw: lines or areas of any vector file.</source>
+        <translation>Straßen, die gezeichnet werden: Linien oder Flächen einer beliebigen Vektordatei.</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw</source>
+        <translation>Flüsse und Seen zum Zeichnen</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw: lines or areas.</source>
+        <translation>Flüsse und Seen, die gezeichnet werden: Linien oder Flächen.</translation>
+    </message>
+    <message>
+        <source>Most segments that get a page</source>
+        <translation>Höchstzahl der Teilstücke mit eigener Seite</translation>
+    </message>
+    <message>
+        <source>Segments that get a page, the first in order of construction; the list names all.</source>
+        <translation>Teilstücke, die eine Seite bekommen, die ersten in der Reihenfolge des Baus; die Liste nennt alle.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Size of the paper.</source>
+        <translation>Größe des Papiers.</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>as its segments (segments.gpkg)</source>
+        <translation>als seine Teilstücke (segments.gpkg)</translation>
+    </message>
+    <message>
+        <source>Elevation on any grid, beside segments alone; the folder of a plan has its own.</source>
+        <translation>Höhe auf beliebigem Gitter, wenn nur Teilstücke gegeben sind; der Ordner eines Plans hat seine eigene.</translation>
+    </message>
+    <message>
+        <source>Shorter segments get no page [m]</source>
+        <translation>Kürzere Teilstücke bekommen keine Seite [m]</translation>
+    </message>
+    <message>
+        <source>Segments shorter than this have no page of their own [m].</source>
+        <translation>Teilstücke, die kürzer sind, haben keine eigene Seite [m].</translation>
+    </message>
+    <message>
+        <source>Upright pages</source>
+        <translation>Hochformat</translation>
+    </message>
+    <message>
+        <source>Upright pages, the texts under the map.</source>
+        <translation>Seiten im Hochformat, die Texte unter der Karte.</translation>
+    </message>
+    <message>
+        <source>Map book</source>
+        <translation>Kartenbuch</translation>
+    </message>
+    <message>
+        <source>Files for crews</source>
+        <translation>Dateien für die Trupps</translation>
+    </message>
+    <message>
+        <source>Write segments, breaks or compartments of a plan in the format of a crew.</source>
+        <translation>Schreibt Teilstücke, Brandschneisen oder Brandabschnitte eines Plans in dem Format eines Trupps.</translation>
+    </message>
+    <message>
+        <source>The ending of the file chooses it: .kml for Google Earth and phones, .gpx for GPS devices, .dxf for drawings, .zip for a Shapefile, .geojson for the web.</source>
+        <translation>Die Endung der Datei bestimmt es: .kml für Google Earth und Telefone, .gpx für GPS-Geräte, .dxf für Zeichnungen, .zip für ein Shapefile, .geojson für das Web.</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Objekte</translation>
+    </message>
+    <message>
+        <source>Segments, breaks or compartments of a plan (.gpkg)</source>
+        <translation>Teilstücke, Brandschneisen oder Brandabschnitte eines Plans (.gpkg)</translation>
+    </message>
+    <message>
+        <source>The segments.gpkg, breaks.gpkg or compartments.gpkg that a plan wrote.</source>
+        <translation>Die segments.gpkg, breaks.gpkg oder compartments.gpkg, die ein Plan geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>File for the crew</source>
+        <translation>Datei für den Trupp</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Brandhäufigkeit</translation>
     </message>
@@ -1722,14 +1858,6 @@
     <message>
         <source>Choose the folder into which all files of the run were written. The page opens in any browser without a network. Its links lead to files beside the page, so write it into that folder.</source>
         <translation>Wählen Sie den Ordner, in den alle Dateien des Laufs geschrieben wurden. Die Seite öffnet sich in jedem Browser ohne Netzwerk. Ihre Verweise führen zu Dateien neben der Seite; schreiben Sie sie also in diesen Ordner.</translation>
-    </message>
-    <message>
-        <source>Folder of the run</source>
-        <translation>Ordner des Laufs</translation>
-    </message>
-    <message>
-        <source>Into which a plan or a comparison was written with all its files.</source>
-        <translation>In den ein Plan oder Vergleich mit allen seinen Dateien geschrieben wurde.</translation>
     </message>
     <message>
         <source>The run on one page</source>

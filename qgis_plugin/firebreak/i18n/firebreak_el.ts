@@ -1276,6 +1276,142 @@
         <translation>Τα περιγράμματά τους</translation>
     </message>
     <message>
+        <source>Map book for crews</source>
+        <translation>Βιβλίο χαρτών για τα συνεργεία</translation>
+    </message>
+    <message>
+        <source>Print a plan as a PDF: an overview, a list of the segments, and a page for each with a map at a round scale, its ends, sizes, slope, cost and treatment, and what it is for.</source>
+        <translation>Τυπώνει ένα σχέδιο ως PDF: μια επισκόπηση, έναν κατάλογο των τμημάτων και μια σελίδα για το καθένα με χάρτη σε στρογγυλή κλίμακα, τα άκρα του, τα μεγέθη, την κλίση, το κόστος και τη μεταχείριση, και σε τι χρησιμεύει.</translation>
+    </message>
+    <message>
+        <source>Choose the folder into which all files of the plan were written. Its segments alone do as well, without the vegetation; then the elevation is asked for.</source>
+        <translation>Επιλέξτε τον φάκελο στον οποίο γράφτηκαν όλα τα αρχεία του σχεδίου. Αρκούν και μόνα τα τμήματά του, χωρίς τη βλάστηση· τότε ζητείται το υψόμετρο.</translation>
+    </message>
+    <message>
+        <source>Segments with a page</source>
+        <translation>Τμήματα με σελίδα</translation>
+    </message>
+    <message>
+        <source>Folder of the run</source>
+        <translation>Φάκελος της εκτέλεσης</translation>
+    </message>
+    <message>
+        <source>Into which a plan or a comparison was written with all its files.</source>
+        <translation>Στον οποίο γράφτηκε ένα σχέδιο ή μια σύγκριση με όλα τα αρχεία του.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Τίτλος</translation>
+    </message>
+    <message>
+        <source>Title of the book [default: what the plan says of itself].</source>
+        <translation>Τίτλος του βιβλίου [προεπιλογή: ό,τι λέει το σχέδιο για τον εαυτό του].</translation>
+    </message>
+    <message>
+        <source>Date, as it is to be shown</source>
+        <translation>Ημερομηνία, όπως θα φαίνεται</translation>
+    </message>
+    <message>
+        <source>Date of the data or the print, shown as it is given.</source>
+        <translation>Ημερομηνία των δεδομένων ή της εκτύπωσης, όπως δίνεται.</translation>
+    </message>
+    <message>
+        <source>Roads to draw: lines or areas of any vector file.</source>
+        <translation>Δρόμοι που σχεδιάζονται: γραμμές ή επιφάνειες οποιουδήποτε διανυσματικού αρχείου.</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw</source>
+        <translation>Ποτάμια και λίμνες που σχεδιάζονται</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw: lines or areas.</source>
+        <translation>Ποτάμια και λίμνες που σχεδιάζονται: γραμμές ή επιφάνειες.</translation>
+    </message>
+    <message>
+        <source>Most segments that get a page</source>
+        <translation>Μέγιστο πλήθος τμημάτων με σελίδα</translation>
+    </message>
+    <message>
+        <source>Segments that get a page, the first in order of construction; the list names all.</source>
+        <translation>Τμήματα που παίρνουν σελίδα, τα πρώτα στη σειρά κατασκευής· ο κατάλογος τα ονομάζει όλα.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Χαρτί</translation>
+    </message>
+    <message>
+        <source>Size of the paper.</source>
+        <translation>Μέγεθος του χαρτιού.</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>as its segments (segments.gpkg)</source>
+        <translation>ως τα τμήματά του (segments.gpkg)</translation>
+    </message>
+    <message>
+        <source>Elevation on any grid, beside segments alone; the folder of a plan has its own.</source>
+        <translation>Υψόμετρο σε οποιοδήποτε πλέγμα, αν δίνονται μόνο τμήματα· ο φάκελος ενός σχεδίου έχει το δικό του.</translation>
+    </message>
+    <message>
+        <source>Shorter segments get no page [m]</source>
+        <translation>Μικρότερα τμήματα δεν παίρνουν σελίδα [m]</translation>
+    </message>
+    <message>
+        <source>Segments shorter than this have no page of their own [m].</source>
+        <translation>Τμήματα μικρότερα από αυτό δεν έχουν δική τους σελίδα [m].</translation>
+    </message>
+    <message>
+        <source>Upright pages</source>
+        <translation>Όρθιες σελίδες</translation>
+    </message>
+    <message>
+        <source>Upright pages, the texts under the map.</source>
+        <translation>Όρθιες σελίδες, τα κείμενα κάτω από τον χάρτη.</translation>
+    </message>
+    <message>
+        <source>Map book</source>
+        <translation>Βιβλίο χαρτών</translation>
+    </message>
+    <message>
+        <source>Files for crews</source>
+        <translation>Αρχεία για τα συνεργεία</translation>
+    </message>
+    <message>
+        <source>Write segments, breaks or compartments of a plan in the format of a crew.</source>
+        <translation>Γράφει τα τμήματα, τις ζώνες ή τα διαμερίσματα ενός σχεδίου στη μορφή ενός συνεργείου.</translation>
+    </message>
+    <message>
+        <source>The ending of the file chooses it: .kml for Google Earth and phones, .gpx for GPS devices, .dxf for drawings, .zip for a Shapefile, .geojson for the web.</source>
+        <translation>Η κατάληξη του αρχείου την επιλέγει: .kml για το Google Earth και τηλέφωνα, .gpx για συσκευές GPS, .dxf για σχέδια, .zip για Shapefile, .geojson για τον ιστό.</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Στοιχεία</translation>
+    </message>
+    <message>
+        <source>Segments, breaks or compartments of a plan (.gpkg)</source>
+        <translation>Τμήματα, ζώνες ή διαμερίσματα ενός σχεδίου (.gpkg)</translation>
+    </message>
+    <message>
+        <source>The segments.gpkg, breaks.gpkg or compartments.gpkg that a plan wrote.</source>
+        <translation>Το segments.gpkg, breaks.gpkg ή compartments.gpkg που έγραψε ένα σχέδιο.</translation>
+    </message>
+    <message>
+        <source>File for the crew</source>
+        <translation>Αρχείο για το συνεργείο</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Συχνότητα καύσης</translation>
     </message>
@@ -1722,14 +1858,6 @@
     <message>
         <source>Choose the folder into which all files of the run were written. The page opens in any browser without a network. Its links lead to files beside the page, so write it into that folder.</source>
         <translation>Επιλέξτε τον φάκελο όπου γράφτηκαν όλα τα αρχεία της εκτέλεσης. Η σελίδα ανοίγει σε κάθε φυλλομετρητή χωρίς δίκτυο. Οι σύνδεσμοί της οδηγούν σε αρχεία δίπλα στη σελίδα· γράψτε τη λοιπόν σε αυτόν τον φάκελο.</translation>
-    </message>
-    <message>
-        <source>Folder of the run</source>
-        <translation>Φάκελος της εκτέλεσης</translation>
-    </message>
-    <message>
-        <source>Into which a plan or a comparison was written with all its files.</source>
-        <translation>Στον οποίο γράφτηκε ένα σχέδιο ή μια σύγκριση με όλα τα αρχεία του.</translation>
     </message>
     <message>
         <source>The run on one page</source>

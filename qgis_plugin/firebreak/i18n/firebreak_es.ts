@@ -1276,6 +1276,142 @@
         <translation>Sus contornos</translation>
     </message>
     <message>
+        <source>Map book for crews</source>
+        <translation>Libro de mapas para las brigadas</translation>
+    </message>
+    <message>
+        <source>Print a plan as a PDF: an overview, a list of the segments, and a page for each with a map at a round scale, its ends, sizes, slope, cost and treatment, and what it is for.</source>
+        <translation>Imprime un plan en PDF: una vista general, una lista de los tramos y una página para cada uno con un mapa a escala redonda, sus extremos, medidas, pendiente, coste y tratamiento, y para qué sirve.</translation>
+    </message>
+    <message>
+        <source>Choose the folder into which all files of the plan were written. Its segments alone do as well, without the vegetation; then the elevation is asked for.</source>
+        <translation>Elija la carpeta en la que se escribieron todos los archivos del plan. También bastan sus tramos, sin la vegetación; entonces se pide la elevación.</translation>
+    </message>
+    <message>
+        <source>Segments with a page</source>
+        <translation>Tramos con página</translation>
+    </message>
+    <message>
+        <source>Folder of the run</source>
+        <translation>Carpeta de la ejecución</translation>
+    </message>
+    <message>
+        <source>Into which a plan or a comparison was written with all its files.</source>
+        <translation>En la que se escribió un plan o una comparación con todos sus archivos.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Title of the book [default: what the plan says of itself].</source>
+        <translation>Título del libro [por defecto: lo que el plan dice de sí mismo].</translation>
+    </message>
+    <message>
+        <source>Date, as it is to be shown</source>
+        <translation>Fecha, tal como debe aparecer</translation>
+    </message>
+    <message>
+        <source>Date of the data or the print, shown as it is given.</source>
+        <translation>Fecha de los datos o de la impresión; aparece tal como se indica.</translation>
+    </message>
+    <message>
+        <source>Roads to draw: lines or areas of any vector file.</source>
+        <translation>Carreteras que se dibujan: líneas o áreas de cualquier archivo vectorial.</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw</source>
+        <translation>Ríos y lagos que se dibujan</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw: lines or areas.</source>
+        <translation>Ríos y lagos que se dibujan: líneas o áreas.</translation>
+    </message>
+    <message>
+        <source>Most segments that get a page</source>
+        <translation>Máximo de tramos con página</translation>
+    </message>
+    <message>
+        <source>Segments that get a page, the first in order of construction; the list names all.</source>
+        <translation>Tramos que reciben una página, los primeros en el orden de construcción; la lista los nombra todos.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>Size of the paper.</source>
+        <translation>Tamaño del papel.</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Carta</translation>
+    </message>
+    <message>
+        <source>as its segments (segments.gpkg)</source>
+        <translation>como sus tramos (segments.gpkg)</translation>
+    </message>
+    <message>
+        <source>Elevation on any grid, beside segments alone; the folder of a plan has its own.</source>
+        <translation>Elevación en cualquier malla, si solo se dan tramos; la carpeta de un plan tiene la suya.</translation>
+    </message>
+    <message>
+        <source>Shorter segments get no page [m]</source>
+        <translation>Los tramos más cortos no reciben página [m]</translation>
+    </message>
+    <message>
+        <source>Segments shorter than this have no page of their own [m].</source>
+        <translation>Los tramos más cortos que esto no tienen página propia [m].</translation>
+    </message>
+    <message>
+        <source>Upright pages</source>
+        <translation>Páginas verticales</translation>
+    </message>
+    <message>
+        <source>Upright pages, the texts under the map.</source>
+        <translation>Páginas verticales, con los textos bajo el mapa.</translation>
+    </message>
+    <message>
+        <source>Map book</source>
+        <translation>Libro de mapas</translation>
+    </message>
+    <message>
+        <source>Files for crews</source>
+        <translation>Archivos para las brigadas</translation>
+    </message>
+    <message>
+        <source>Write segments, breaks or compartments of a plan in the format of a crew.</source>
+        <translation>Escribe los tramos, cortafuegos o compartimentos de un plan en el formato de una brigada.</translation>
+    </message>
+    <message>
+        <source>The ending of the file chooses it: .kml for Google Earth and phones, .gpx for GPS devices, .dxf for drawings, .zip for a Shapefile, .geojson for the web.</source>
+        <translation>La extensión del archivo lo elige: .kml para Google Earth y teléfonos, .gpx para aparatos GPS, .dxf para dibujos, .zip para un Shapefile, .geojson para la web.</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Objetos</translation>
+    </message>
+    <message>
+        <source>Segments, breaks or compartments of a plan (.gpkg)</source>
+        <translation>Tramos, cortafuegos o compartimentos de un plan (.gpkg)</translation>
+    </message>
+    <message>
+        <source>The segments.gpkg, breaks.gpkg or compartments.gpkg that a plan wrote.</source>
+        <translation>El segments.gpkg, breaks.gpkg o compartments.gpkg que escribió un plan.</translation>
+    </message>
+    <message>
+        <source>File for the crew</source>
+        <translation>Archivo para la brigada</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Frecuencia de quema</translation>
     </message>
@@ -1722,14 +1858,6 @@
     <message>
         <source>Choose the folder into which all files of the run were written. The page opens in any browser without a network. Its links lead to files beside the page, so write it into that folder.</source>
         <translation>Elija la carpeta en la que se escribieron todos los archivos de la ejecución. La página se abre en cualquier navegador sin red. Sus enlaces llevan a archivos junto a la página, así que escríbala en esa carpeta.</translation>
-    </message>
-    <message>
-        <source>Folder of the run</source>
-        <translation>Carpeta de la ejecución</translation>
-    </message>
-    <message>
-        <source>Into which a plan or a comparison was written with all its files.</source>
-        <translation>En la que se escribió un plan o una comparación con todos sus archivos.</translation>
     </message>
     <message>
         <source>The run on one page</source>

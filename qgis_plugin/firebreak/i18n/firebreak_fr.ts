@@ -1276,6 +1276,142 @@
         <translation>Leurs contours</translation>
     </message>
     <message>
+        <source>Map book for crews</source>
+        <translation>Carnet de cartes pour les équipes</translation>
+    </message>
+    <message>
+        <source>Print a plan as a PDF: an overview, a list of the segments, and a page for each with a map at a round scale, its ends, sizes, slope, cost and treatment, and what it is for.</source>
+        <translation>Imprime un plan en PDF : une vue d'ensemble, une liste des tronçons et une page pour chacun avec une carte à une échelle ronde, ses extrémités, ses dimensions, sa pente, son coût et son traitement, et à quoi il sert.</translation>
+    </message>
+    <message>
+        <source>Choose the folder into which all files of the plan were written. Its segments alone do as well, without the vegetation; then the elevation is asked for.</source>
+        <translation>Choisissez le dossier dans lequel tous les fichiers du plan ont été écrits. Ses tronçons seuls suffisent aussi, sans la végétation ; l'altitude est alors demandée.</translation>
+    </message>
+    <message>
+        <source>Segments with a page</source>
+        <translation>Tronçons avec une page</translation>
+    </message>
+    <message>
+        <source>Folder of the run</source>
+        <translation>Dossier du passage</translation>
+    </message>
+    <message>
+        <source>Into which a plan or a comparison was written with all its files.</source>
+        <translation>Où un plan ou une comparaison a été écrit avec tous ses fichiers.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Title of the book [default: what the plan says of itself].</source>
+        <translation>Titre du carnet [par défaut : ce que le plan dit de lui-même].</translation>
+    </message>
+    <message>
+        <source>Date, as it is to be shown</source>
+        <translation>Date, telle qu'elle doit paraître</translation>
+    </message>
+    <message>
+        <source>Date of the data or the print, shown as it is given.</source>
+        <translation>Date des données ou de l'impression, montrée telle qu'elle est donnée.</translation>
+    </message>
+    <message>
+        <source>Roads to draw: lines or areas of any vector file.</source>
+        <translation>Routes à dessiner : lignes ou surfaces de n'importe quel fichier vectoriel.</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw</source>
+        <translation>Rivières et lacs à dessiner</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw: lines or areas.</source>
+        <translation>Rivières et lacs à dessiner : lignes ou surfaces.</translation>
+    </message>
+    <message>
+        <source>Most segments that get a page</source>
+        <translation>Nombre maximal de tronçons avec une page</translation>
+    </message>
+    <message>
+        <source>Segments that get a page, the first in order of construction; the list names all.</source>
+        <translation>Tronçons qui reçoivent une page, les premiers dans l'ordre de construction ; la liste les nomme tous.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Size of the paper.</source>
+        <translation>Format du papier.</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Lettre</translation>
+    </message>
+    <message>
+        <source>as its segments (segments.gpkg)</source>
+        <translation>comme ses tronçons (segments.gpkg)</translation>
+    </message>
+    <message>
+        <source>Elevation on any grid, beside segments alone; the folder of a plan has its own.</source>
+        <translation>Altitude sur n'importe quelle grille, si seuls des tronçons sont donnés ; le dossier d'un plan a la sienne.</translation>
+    </message>
+    <message>
+        <source>Shorter segments get no page [m]</source>
+        <translation>Les tronçons plus courts n'ont pas de page [m]</translation>
+    </message>
+    <message>
+        <source>Segments shorter than this have no page of their own [m].</source>
+        <translation>Les tronçons plus courts n'ont pas de page à eux [m].</translation>
+    </message>
+    <message>
+        <source>Upright pages</source>
+        <translation>Pages en hauteur</translation>
+    </message>
+    <message>
+        <source>Upright pages, the texts under the map.</source>
+        <translation>Pages en hauteur, les textes sous la carte.</translation>
+    </message>
+    <message>
+        <source>Map book</source>
+        <translation>Carnet de cartes</translation>
+    </message>
+    <message>
+        <source>Files for crews</source>
+        <translation>Fichiers pour les équipes</translation>
+    </message>
+    <message>
+        <source>Write segments, breaks or compartments of a plan in the format of a crew.</source>
+        <translation>Écrit les tronçons, les pare-feu ou les compartiments d'un plan dans le format d'une équipe.</translation>
+    </message>
+    <message>
+        <source>The ending of the file chooses it: .kml for Google Earth and phones, .gpx for GPS devices, .dxf for drawings, .zip for a Shapefile, .geojson for the web.</source>
+        <translation>L'extension du fichier le choisit : .kml pour Google Earth et les téléphones, .gpx pour les appareils GPS, .dxf pour les dessins, .zip pour un Shapefile, .geojson pour le web.</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Objets</translation>
+    </message>
+    <message>
+        <source>Segments, breaks or compartments of a plan (.gpkg)</source>
+        <translation>Tronçons, pare-feu ou compartiments d'un plan (.gpkg)</translation>
+    </message>
+    <message>
+        <source>The segments.gpkg, breaks.gpkg or compartments.gpkg that a plan wrote.</source>
+        <translation>Le segments.gpkg, breaks.gpkg ou compartments.gpkg qu'un plan a écrit.</translation>
+    </message>
+    <message>
+        <source>File for the crew</source>
+        <translation>Fichier pour l'équipe</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Fréquence de brûlage</translation>
     </message>
@@ -1722,14 +1858,6 @@
     <message>
         <source>Choose the folder into which all files of the run were written. The page opens in any browser without a network. Its links lead to files beside the page, so write it into that folder.</source>
         <translation>Choisissez le dossier où tous les fichiers du passage ont été écrits. La page s'ouvre dans tout navigateur sans réseau. Ses liens mènent à des fichiers à côté de la page : écrivez-la donc dans ce dossier.</translation>
-    </message>
-    <message>
-        <source>Folder of the run</source>
-        <translation>Dossier du passage</translation>
-    </message>
-    <message>
-        <source>Into which a plan or a comparison was written with all its files.</source>
-        <translation>Où un plan ou une comparaison a été écrit avec tous ses fichiers.</translation>
     </message>
     <message>
         <source>The run on one page</source>

@@ -1276,6 +1276,142 @@
         <translation>I loro contorni</translation>
     </message>
     <message>
+        <source>Map book for crews</source>
+        <translation>Libro di mappe per le squadre</translation>
+    </message>
+    <message>
+        <source>Print a plan as a PDF: an overview, a list of the segments, and a page for each with a map at a round scale, its ends, sizes, slope, cost and treatment, and what it is for.</source>
+        <translation>Stampa un piano in PDF: una veduta d'insieme, un elenco dei tratti e una pagina per ciascuno con una mappa a scala tonda, i suoi estremi, le misure, la pendenza, il costo e il trattamento, e a che cosa serve.</translation>
+    </message>
+    <message>
+        <source>Choose the folder into which all files of the plan were written. Its segments alone do as well, without the vegetation; then the elevation is asked for.</source>
+        <translation>Scegliere la cartella in cui sono stati scritti tutti i file del piano. Bastano anche i soli tratti, senza la vegetazione; allora viene chiesta la quota.</translation>
+    </message>
+    <message>
+        <source>Segments with a page</source>
+        <translation>Tratti con una pagina</translation>
+    </message>
+    <message>
+        <source>Folder of the run</source>
+        <translation>Cartella dell'esecuzione</translation>
+    </message>
+    <message>
+        <source>Into which a plan or a comparison was written with all its files.</source>
+        <translation>In cui un piano o un confronto è stato scritto con tutti i suoi file.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titolo</translation>
+    </message>
+    <message>
+        <source>Title of the book [default: what the plan says of itself].</source>
+        <translation>Titolo del libro [predefinito: quello che il piano dice di sé].</translation>
+    </message>
+    <message>
+        <source>Date, as it is to be shown</source>
+        <translation>Data, come deve apparire</translation>
+    </message>
+    <message>
+        <source>Date of the data or the print, shown as it is given.</source>
+        <translation>Data dei dati o della stampa, mostrata come viene data.</translation>
+    </message>
+    <message>
+        <source>Roads to draw: lines or areas of any vector file.</source>
+        <translation>Strade da disegnare: linee o aree di qualsiasi file vettoriale.</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw</source>
+        <translation>Fiumi e laghi da disegnare</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw: lines or areas.</source>
+        <translation>Fiumi e laghi da disegnare: linee o aree.</translation>
+    </message>
+    <message>
+        <source>Most segments that get a page</source>
+        <translation>Massimo di tratti con una pagina</translation>
+    </message>
+    <message>
+        <source>Segments that get a page, the first in order of construction; the list names all.</source>
+        <translation>Tratti che ricevono una pagina, i primi nell'ordine di costruzione; l'elenco li nomina tutti.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Carta</translation>
+    </message>
+    <message>
+        <source>Size of the paper.</source>
+        <translation>Formato della carta.</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Lettera</translation>
+    </message>
+    <message>
+        <source>as its segments (segments.gpkg)</source>
+        <translation>come i suoi tratti (segments.gpkg)</translation>
+    </message>
+    <message>
+        <source>Elevation on any grid, beside segments alone; the folder of a plan has its own.</source>
+        <translation>Quota su qualsiasi griglia, se si danno i soli tratti; la cartella di un piano ha la sua.</translation>
+    </message>
+    <message>
+        <source>Shorter segments get no page [m]</source>
+        <translation>I tratti più corti non ricevono una pagina [m]</translation>
+    </message>
+    <message>
+        <source>Segments shorter than this have no page of their own [m].</source>
+        <translation>I tratti più corti di questo non hanno una pagina propria [m].</translation>
+    </message>
+    <message>
+        <source>Upright pages</source>
+        <translation>Pagine verticali</translation>
+    </message>
+    <message>
+        <source>Upright pages, the texts under the map.</source>
+        <translation>Pagine verticali, con i testi sotto la mappa.</translation>
+    </message>
+    <message>
+        <source>Map book</source>
+        <translation>Libro di mappe</translation>
+    </message>
+    <message>
+        <source>Files for crews</source>
+        <translation>File per le squadre</translation>
+    </message>
+    <message>
+        <source>Write segments, breaks or compartments of a plan in the format of a crew.</source>
+        <translation>Scrive i tratti, i viali tagliafuoco o i comparti di un piano nel formato di una squadra.</translation>
+    </message>
+    <message>
+        <source>The ending of the file chooses it: .kml for Google Earth and phones, .gpx for GPS devices, .dxf for drawings, .zip for a Shapefile, .geojson for the web.</source>
+        <translation>L'estensione del file lo sceglie: .kml per Google Earth e telefoni, .gpx per apparecchi GPS, .dxf per disegni, .zip per uno Shapefile, .geojson per il web.</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Elementi</translation>
+    </message>
+    <message>
+        <source>Segments, breaks or compartments of a plan (.gpkg)</source>
+        <translation>Tratti, viali tagliafuoco o comparti di un piano (.gpkg)</translation>
+    </message>
+    <message>
+        <source>The segments.gpkg, breaks.gpkg or compartments.gpkg that a plan wrote.</source>
+        <translation>Il segments.gpkg, breaks.gpkg o compartments.gpkg scritto da un piano.</translation>
+    </message>
+    <message>
+        <source>File for the crew</source>
+        <translation>File per la squadra</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Frequenza di incendio</translation>
     </message>
@@ -1722,14 +1858,6 @@
     <message>
         <source>Choose the folder into which all files of the run were written. The page opens in any browser without a network. Its links lead to files beside the page, so write it into that folder.</source>
         <translation>Scegliete la cartella in cui sono stati scritti tutti i file dell'esecuzione. La pagina si apre in ogni browser senza rete. I suoi collegamenti portano a file accanto alla pagina: scrivetela dunque in quella cartella.</translation>
-    </message>
-    <message>
-        <source>Folder of the run</source>
-        <translation>Cartella dell'esecuzione</translation>
-    </message>
-    <message>
-        <source>Into which a plan or a comparison was written with all its files.</source>
-        <translation>In cui un piano o un confronto è stato scritto con tutti i suoi file.</translation>
     </message>
     <message>
         <source>The run on one page</source>

@@ -1276,6 +1276,142 @@
         <translation>Os seus contornos</translation>
     </message>
     <message>
+        <source>Map book for crews</source>
+        <translation>Livro de mapas para as equipas</translation>
+    </message>
+    <message>
+        <source>Print a plan as a PDF: an overview, a list of the segments, and a page for each with a map at a round scale, its ends, sizes, slope, cost and treatment, and what it is for.</source>
+        <translation>Imprime um plano em PDF: uma vista geral, uma lista dos troços e uma página para cada um com um mapa a uma escala redonda, os seus extremos, medidas, declive, custo e tratamento, e para que serve.</translation>
+    </message>
+    <message>
+        <source>Choose the folder into which all files of the plan were written. Its segments alone do as well, without the vegetation; then the elevation is asked for.</source>
+        <translation>Escolha a pasta em que foram escritos todos os ficheiros do plano. Bastam também só os seus troços, sem a vegetação; então é pedida a elevação.</translation>
+    </message>
+    <message>
+        <source>Segments with a page</source>
+        <translation>Troços com página</translation>
+    </message>
+    <message>
+        <source>Folder of the run</source>
+        <translation>Pasta da execução</translation>
+    </message>
+    <message>
+        <source>Into which a plan or a comparison was written with all its files.</source>
+        <translation>Em que um plano ou uma comparação foi escrito com todos os seus ficheiros.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Title of the book [default: what the plan says of itself].</source>
+        <translation>Título do livro [predefinição: o que o plano diz de si].</translation>
+    </message>
+    <message>
+        <source>Date, as it is to be shown</source>
+        <translation>Data, tal como deve aparecer</translation>
+    </message>
+    <message>
+        <source>Date of the data or the print, shown as it is given.</source>
+        <translation>Data dos dados ou da impressão, mostrada tal como é dada.</translation>
+    </message>
+    <message>
+        <source>Roads to draw: lines or areas of any vector file.</source>
+        <translation>Estradas a desenhar: linhas ou áreas de qualquer ficheiro vetorial.</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw</source>
+        <translation>Rios e lagos a desenhar</translation>
+    </message>
+    <message>
+        <source>Rivers and lakes to draw: lines or areas.</source>
+        <translation>Rios e lagos a desenhar: linhas ou áreas.</translation>
+    </message>
+    <message>
+        <source>Most segments that get a page</source>
+        <translation>Máximo de troços com página</translation>
+    </message>
+    <message>
+        <source>Segments that get a page, the first in order of construction; the list names all.</source>
+        <translation>Troços que recebem uma página, os primeiros na ordem de construção; a lista nomeia todos.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>Size of the paper.</source>
+        <translation>Formato do papel.</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Carta</translation>
+    </message>
+    <message>
+        <source>as its segments (segments.gpkg)</source>
+        <translation>como os seus troços (segments.gpkg)</translation>
+    </message>
+    <message>
+        <source>Elevation on any grid, beside segments alone; the folder of a plan has its own.</source>
+        <translation>Elevação em qualquer grelha, se só forem dados troços; a pasta de um plano tem a sua.</translation>
+    </message>
+    <message>
+        <source>Shorter segments get no page [m]</source>
+        <translation>Troços mais curtos não recebem página [m]</translation>
+    </message>
+    <message>
+        <source>Segments shorter than this have no page of their own [m].</source>
+        <translation>Troços mais curtos do que isto não têm página própria [m].</translation>
+    </message>
+    <message>
+        <source>Upright pages</source>
+        <translation>Páginas ao alto</translation>
+    </message>
+    <message>
+        <source>Upright pages, the texts under the map.</source>
+        <translation>Páginas ao alto, com os textos sob o mapa.</translation>
+    </message>
+    <message>
+        <source>Map book</source>
+        <translation>Livro de mapas</translation>
+    </message>
+    <message>
+        <source>Files for crews</source>
+        <translation>Ficheiros para as equipas</translation>
+    </message>
+    <message>
+        <source>Write segments, breaks or compartments of a plan in the format of a crew.</source>
+        <translation>Escreve os troços, os aceiros ou os compartimentos de um plano no formato de uma equipa.</translation>
+    </message>
+    <message>
+        <source>The ending of the file chooses it: .kml for Google Earth and phones, .gpx for GPS devices, .dxf for drawings, .zip for a Shapefile, .geojson for the web.</source>
+        <translation>A extensão do ficheiro escolhe-o: .kml para o Google Earth e telefones, .gpx para aparelhos GPS, .dxf para desenhos, .zip para um Shapefile, .geojson para a web.</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Elementos</translation>
+    </message>
+    <message>
+        <source>Segments, breaks or compartments of a plan (.gpkg)</source>
+        <translation>Troços, aceiros ou compartimentos de um plano (.gpkg)</translation>
+    </message>
+    <message>
+        <source>The segments.gpkg, breaks.gpkg or compartments.gpkg that a plan wrote.</source>
+        <translation>O segments.gpkg, breaks.gpkg ou compartments.gpkg que um plano escreveu.</translation>
+    </message>
+    <message>
+        <source>File for the crew</source>
+        <translation>Ficheiro para a equipa</translation>
+    </message>
+    <message>
         <source>Burn frequency</source>
         <translation>Frequência de queima</translation>
     </message>
@@ -1722,14 +1858,6 @@
     <message>
         <source>Choose the folder into which all files of the run were written. The page opens in any browser without a network. Its links lead to files beside the page, so write it into that folder.</source>
         <translation>Escolha a pasta em que foram escritos todos os ficheiros da execução. A página abre em qualquer navegador sem rede. As suas ligações levam a ficheiros ao lado da página; escreva-a, pois, nessa pasta.</translation>
-    </message>
-    <message>
-        <source>Folder of the run</source>
-        <translation>Pasta da execução</translation>
-    </message>
-    <message>
-        <source>Into which a plan or a comparison was written with all its files.</source>
-        <translation>Em que um plano ou uma comparação foi escrito com todos os seus ficheiros.</translation>
     </message>
     <message>
         <source>The run on one page</source>
