@@ -83,7 +83,7 @@ def _destination(output: Output) -> QgsProcessingParameterDefinition:
 
 def _is_optional(field: Field) -> bool:
     """Tell whether a model may leave the field out; advanced ones always, so that models outlive new options."""
-    return field.advanced or not (field.required or field.default is not None)
+    return field.advanced or not (field.required or field.default not in (None, ""))
 
 
 def _number(field: Field, label: str, kind: Any) -> QgsProcessingParameterNumber:

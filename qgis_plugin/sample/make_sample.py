@@ -31,6 +31,7 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
+    QgsProcessingParameterString,
     QgsProject,
     QgsRasterLayer,
     QgsRasterShader,
@@ -120,7 +121,7 @@ def make_model(target: Path) -> None:
         QgsProcessingParameterRasterLayer("dem", "Elevation"),
         QgsProcessingParameterRasterLayer("vegetation", "Vegetation"),
         QgsProcessingParameterRasterLayer("density", "Vegetation density"),
-        QgsProcessingParameterNumber("budget", "Budget", QgsProcessingParameterNumber.Type.Double, 0.1, False, 0, 1),
+        QgsProcessingParameterString("budget", "Budget, such as 10%, 5ha or 20000eur", "10%"),
         QgsProcessingParameterNumber("runs", "Number of fires", QgsProcessingParameterNumber.Type.Integer, 100),
     )
     for row, definition in enumerate(inputs):

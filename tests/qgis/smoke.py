@@ -97,7 +97,7 @@ class Smoke:
                 name: coarse / f"{file}.tif"
                 for name, file in (("dem", "elevation"), ("vegetation", "vegetation"), ("density", "density"))
             },
-            "budget": 0.05,
+            "budget": "5%",
             "runs": 10,
             "breaks:Fire breaks": made / "breaks.tif",
             "with:Burn frequency with the breaks": made / "with.tif",

@@ -282,6 +282,24 @@ def test_calibrate(layers, reference, tmp_path):
     assert numbers(found["OUTPUT_CALIBRATION"]) == numbers(tmp_path / "own.toml") != []
 
 
+def test_files_for_crews(layers, tmp_path):
+    """The map book of a plan, and its segments in the formats of crews, by the ending of the destination."""
+    folder = tmp_path / "plan"
+    processing.run("firebreak:plan", {**layers, **QUICK, "METHOD": "compartments", "OUTPUT_FOLDER": str(folder)})
+    book = run("mapbook", RUN_FOLDER=str(folder), PAGES=2, TITLE="Two pages", OUTPUT_MAPBOOK=str(tmp_path / "book.pdf"))
+    assert Path(book["OUTPUT_MAPBOOK"]).read_bytes().startswith(b"%PDF")
+    assert book["SEGMENTS_WITH_PAGE"] == 2 <= book["SEGMENTS"]
+    segments = folder / "segments.gpkg"
+    for ending in ("kml", "gpx", "dxf", "geojson"):
+        found = run("export", MADE=str(segments), OUTPUT_CREWS=str(tmp_path / f"crew.{ending}"))
+        own = tmp_path / f"crews.{ending}"  # a KML document has the name of its file
+        firebreak("export", segments, "-o", own)
+        assert Path(found["OUTPUT_CREWS"]).read_bytes() == own.read_bytes(), ending
+        assert found["FEATURES"] == book["SEGMENTS"]
+    with pytest.raises(QgsProcessingException, match=r"is written as \.kml, but crew\.shp"):
+        run("export", MADE=str(segments), OUTPUT_CREWS=str(tmp_path / "crew.shp"))
+
+
 def test_a_folder_of_all_files_and_its_report(layers, tmp_path):
     folder = tmp_path / "all files"
     told = Told()
@@ -312,23 +330,6 @@ def test_a_folder_of_all_files_and_its_report(layers, tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["geojson", "fgb", "shp"])
-def test_files_for_crews(layers, tmp_path):
-    """The map book of a plan, and its segments in the formats of crews, by the ending of the destination."""
-    folder = tmp_path / "plan"
-    processing.run("firebreak:plan", {**layers, **QUICK, "METHOD": "compartments", "OUTPUT_FOLDER": str(folder)})
-    book = run("mapbook", RUN_FOLDER=str(folder), PAGES=2, TITLE="Two pages", OUTPUT_MAPBOOK=str(tmp_path / "book.pdf"))
-    assert Path(book["OUTPUT_MAPBOOK"]).read_bytes().startswith(b"%PDF")
-    assert book["SEGMENTS_WITH_PAGE"] == 2 <= book["SEGMENTS"]
-    segments = folder / "segments.gpkg"
-    for ending in ("kml", "gpx", "dxf", "geojson"):
-        found = run("export", MADE=str(segments), OUTPUT_CREWS=str(tmp_path / f"crew.{ending}"))
-        firebreak("export", segments, "-o", tmp_path / f"own.{ending}")
-        assert Path(found["OUTPUT_CREWS"]).read_bytes() == (tmp_path / f"own.{ending}").read_bytes(), ending
-        assert found["FEATURES"] == book["SEGMENTS"]
-    with pytest.raises(QgsProcessingException, match=r"is written as \.kml, but crew\.shp"):
-        run("export", MADE=str(segments), OUTPUT_CREWS=str(tmp_path / "crew.shp"))
-
-
 def test_vector_outputs_in_the_format_chosen(ending, reference, tmp_path):
     found = run(
         "breaks",
@@ -641,7 +642,8 @@ def test_provider_and_forms(provider):
             default = definition.defaultValue()
             assert default is None or definition.checkValueIsAcceptable(default), definition.name()
         assert all(
-            d.defaultFileExtension() in ("tif", "gpkg", "csv", "png", "svg", "json", "html", "toml", "txt")
+            d.defaultFileExtension()
+            in ("tif", "gpkg", "csv", "png", "svg", "json", "html", "toml", "txt", "pdf", "kml")
             for d in algorithm.destinationParameterDefinitions()
             if d.type() != "folderDestination"
         )
