@@ -47,6 +47,14 @@ def around(cells: np.ndarray, shape: tuple[int, int], width: int, boundary: Boun
     """
     if width == 1:
         return cells
+    wall = _squares(cells, shape, width, boundary)[0]
+    return np.asarray(wall[_new(wall, shape[0] * shape[1])])
+
+
+def _squares(
+    cells: np.ndarray, shape: tuple[int, int], width: int, boundary: Boundary
+) -> tuple[np.ndarray, np.ndarray]:
+    """Cells of the square around each cell, the nearest first, and the position in `cells` that each is from."""
     steps = sorted((abs(r) + abs(c), r, c) for r in offsets(width) for c in offsets(width))
     row, col = np.divmod(cells[:, None], shape[1])
     row = row + np.array([r for _, r, _ in steps])
@@ -55,8 +63,15 @@ def around(cells: np.ndarray, shape: tuple[int, int], width: int, boundary: Boun
     if boundary == "open":
         inside = (row >= 0) & (row < shape[0]) & (col >= 0) & (col < shape[1])
     wall: np.ndarray = ((row % shape[0]) * shape[1] + col % shape[1])[inside]
-    _, first = np.unique(wall, return_index=True)
-    return wall[np.sort(first)]
+    return wall, np.nonzero(inside)[0]
+
+
+def _new(cells: np.ndarray, n_cells: int) -> np.ndarray:
+    """Whether each of some cells is there for the first time."""
+    number = np.arange(cells.size)
+    first = np.empty(n_cells, np.int64)
+    first[cells[::-1]] = number[::-1]  # of equal cells the last that is written stays
+    return np.asarray(first[cells] == number)
 
 
 def wall_cost(cost: np.ndarray, width: int, boundary: Boundary) -> np.ndarray:
@@ -85,16 +100,16 @@ def walls(
     tuple
         The new cells of each wall (fuel that may be cut), and their cost.
     """
-    free = (network.burnable & ~stakes.protected).ravel().copy()
-    cost = stakes.cost.ravel()
-    cells, costs = [], []
-    for line in lines:
-        wall = around(line, network.shape, width, network.boundary)
-        wall = wall[free[wall]]
-        free[wall] = False
-        cells.append(wall)
-        costs.append(float(cost[wall].sum()))
-    return cells, costs
+    free = (network.burnable & ~stakes.protected).ravel()
+    cells = np.concatenate([*lines, np.zeros(0, np.int64)]).astype(np.int64)
+    wall, at = _squares(cells, network.shape, width, network.boundary)
+    owner = np.repeat(np.arange(len(lines)), [line.size for line in lines])[at]
+    wall, owner = wall[free[wall]], owner[free[wall]]
+    new = _new(wall, free.size)
+    wall, owner = wall[new], owner[new]
+    ends = np.cumsum(np.bincount(owner, minlength=len(lines))).tolist()
+    costs = np.bincount(owner, stakes.cost.ravel()[wall], minlength=len(lines))
+    return [wall[start:end] for start, end in zip([0, *ends], ends, strict=False)], costs.tolist()
 
 
 def best_width(

@@ -55,9 +55,12 @@ class Estimate:
     ----------
     steps
         Seconds by step, in order.
+    without
+        What takes its time beside them, and is not counted.
     """
 
     steps: Mapping[str, float]
+    without: str = ""
 
     @property
     def seconds(self) -> float:
@@ -73,7 +76,8 @@ class Estimate:
         'This takes about 3 min (ranking 40 s, fires 2.3 min), as far as a small part of it tells.'
         """
         each = ", ".join(f"{name} {_about(seconds)}" for name, seconds in self.steps.items() if seconds >= 1.0)
-        return f"This takes about {_about(self.seconds)} ({each}), as far as a small part of it tells."
+        rest = f", {self.without} not counted" if self.without else ""
+        return f"This takes about {_about(self.seconds)} ({each}){rest}, as far as a small part of it tells."
 
 
 def ranking_seconds(
@@ -92,11 +96,12 @@ def ranking_seconds(
     Parameters
     ----------
     network, method, stakes, budget, elevation, roads, more
-        As in `design.design`.
+        As in `design.design`; local search is left out.
     now
         Tells the time [s].
     """
     share = Budget(min(1.0, budget.cell_share(network, stakes)))
+    more["refine"] = False  # the search takes as long on a piece as on a map
 
     def rank(rows: slice, cols: slice) -> None:
         piece = SpreadNetwork(network.probability[:, rows, cols], burnable=network.burnable[rows, cols])

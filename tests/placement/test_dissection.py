@@ -22,7 +22,7 @@ from firebreak_gis.placement.dissection import Cut, dissect, sequence
 from firebreak_gis.placement.edges import links
 from firebreak_gis.placement.patches import capacities
 from firebreak_gis.placement.patterns import ExpectedLoss
-from firebreak_gis.placement.widening import walls
+from firebreak_gis.placement.widening import offsets, walls
 from firebreak_gis.progress import silent
 from firebreak_gis.ranking import rank
 from firebreak_gis.stakes import Stakes
@@ -309,3 +309,32 @@ def test_walls_found_coarsely_save_as_much_as_those_of_the_whole(seed):
         spent = np.cumsum([cuts[i].cost for i in order]) / stakes.cost.sum()
         left.append(1.0 - np.interp([0.02, 0.05, 0.1], spent, np.cumsum([cuts[i].saved for i in order])))
     assert (left[0] <= 1.05 * left[1]).all()
+
+
+@settings(deadline=None, max_examples=40)
+@given(
+    st.integers(3, 20), st.integers(3, 20), st.integers(1, 5), st.sampled_from(["open", "periodic"]), st.integers(0, 9)
+)
+def test_walls_are_lines_widened_one_after_another(rows, cols, width, boundary, seed):
+    """Cell by cell: the squares around the cells of a line in turn, and what is taken is taken."""
+    random = np.random.default_rng(seed)
+    fuel, kept = random.random((rows, cols)) < 0.8, random.random((rows, cols)) < 0.1
+    network = SpreadNetwork(np.full((8, rows, cols), 0.5, np.float32), burnable=fuel, boundary=boundary)
+    stakes = Stakes(network, cost=random.integers(1, 9, (rows, cols)).astype(float), protected=kept)
+    lines = [random.permutation(rows * cols)[: random.integers(0, 9)] for _ in range(8)]
+    taken = set(np.flatnonzero(~fuel | kept).tolist())
+    found, costs = walls(lines, network, stakes, width)
+    assert len(found) == len(costs) == len(lines)
+    for line, cells, cost in zip(lines, found, costs, strict=True):
+        expected = []
+        for cell in line.tolist():
+            steps = sorted((abs(r) + abs(c), r, c) for r in offsets(width) for c in offsets(width))
+            for _, r, c in steps:
+                row, col = cell // cols + r, cell % cols + c
+                if boundary == "periodic":
+                    row, col = row % rows, col % cols
+                if 0 <= row < rows and 0 <= col < cols and row * cols + col not in taken:
+                    taken.add(row * cols + col)
+                    expected.append(row * cols + col)
+        assert cells.tolist() == expected
+        assert cost == stakes.cost.ravel()[expected].sum()

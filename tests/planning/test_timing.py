@@ -234,6 +234,7 @@ def test_words():
     assert (
         Estimate({"ranking": 3600.0, "fires": 3600.0 * 1.5}).told().startswith("This takes about 2.5 h (ranking 60 min")
     )
+    assert ", local search not counted, as far" in Estimate({"ranking": 20.0}, without="local search").told()
     assert "fires" not in Estimate({"ranking": 20.0, "fires": 0.2}).told()
     assert "nan" not in Estimate({"ranking": 0.0}).told()
 
