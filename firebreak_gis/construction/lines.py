@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
     Plane = np.ndarray | xr.DataArray
 
+#: A line shorter than this is no job of its own, where another of its wall is this near [m].
+_SHORT, _NEAR = 100.0, 100.0
+
 
 def line_segments(
     network: SpreadNetwork,
@@ -46,15 +49,16 @@ def line_segments(
     Returns
     -------
     Segments
-        With the columns of `segments.segments_of`. Each line of a wall is a segment, each wall a `stage`, whose gain
-        is told at its last segment. `area_ha` is length times width, `cells` counts the cells that a segment passes,
-        and the means are by length. Polygons are the lines in their width.
+        With the columns of `segments.segments_of`. Each line of a wall is a segment, short ones together with what they
+        are near; each wall is a `stage`, whose gain is told at its last segment. `area_ha` is length times width,
+        `cells` counts the cells that a segment passes, and the means are by length. Polygons are the lines in their
+        width.
     """
     import geopandas as gpd
 
     crossed = None if breaks is None else breaks.crossed
     parts = split(network, np.zeros(network.shape, bool), crossed=crossed, value=value, ignition=ignition)
-    lines = walls.explode(index_parts=False)
+    lines = _jobs(walls)
     stage = lines.index.to_numpy() + 1
     lines = lines.reset_index(drop=True)
     length = lines.length.to_numpy()
@@ -108,6 +112,26 @@ def line_segments(
         gpd.GeoDataFrame(table, geometry=lines.geometry.array, crs=network.grid.crs),
         gpd.GeoDataFrame(table, geometry=outlines.array, crs=network.grid.crs),
     )
+
+
+def _jobs(walls: gpd.GeoDataFrame) -> gpd.GeoDataFrame:
+    """Lines of walls as they are built: short ones go with the next of their wall, if that is near."""
+    import geopandas as gpd
+    import shapely
+
+    lines = walls.explode(index_parts=False)
+    if len(lines) < 2:
+        return lines
+    stage, shapes = lines.index.to_numpy(), lines.geometry.array
+    begin, end = (shapely.get_coordinates(shapely.get_point(shapes, k)) for k in (0, -1))
+    short = shapely.length(shapes) < _SHORT
+    apart = np.hypot(*(begin[1:] - end[:-1]).T) > _NEAR
+    new = np.append(True, (np.diff(stage) != 0) | apart | ~(short[1:] | short[:-1]))
+    first = np.flatnonzero(new)
+    parts = np.split(np.asarray(shapes), first[1:])
+    whole = [each[0] if len(each) == 1 else shapely.MultiLineString(list(each)) for each in parts]
+    table = lines.drop(columns="geometry").iloc[first]
+    return gpd.GeoDataFrame(table, geometry=whole, crs=walls.crs)
 
 
 def line_polygons(walls: gpd.GeoDataFrame) -> gpd.GeoDataFrame:
