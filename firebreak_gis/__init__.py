@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from firebreak_gis.report.mapbook.atlas import read_atlas
     from firebreak_gis.report.page.folder import report_page
     from firebreak_gis.report.plotting import plot
-    from firebreak_gis.simulation.distributed import simulate_distributed
+    from firebreak_gis.simulation.cluster import cluster
     from firebreak_gis.simulation.embers import Embers
     from firebreak_gis.simulation.fires import burn_curve, simulate
     from firebreak_gis.simulation.holding import Hold
@@ -65,6 +65,7 @@ _HOMES = {
     "calibrate_scars": "evaluation.calibration",
     "calibrate_sizes": "evaluation.calibration",
     "Cancelled": "errors",
+    "cluster": "simulation.cluster",
     "compare": "planning.comparison",
     "compartments_of": "construction.compartments",
     "delineate": "construction.delineations",
@@ -95,7 +96,6 @@ _HOMES = {
     "segments_of": "construction.segments",
     "select_breaks": "breaks",
     "simulate": "simulation.fires",
-    "simulate_distributed": "simulation.distributed",
     "site": "landscape.siting",
     "spread_network": "spread",
     "SpreadNetwork": "network",

@@ -16,8 +16,9 @@ from firebreak_gis.manifest import is_shared_config, read_config
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-#: What a configuration, perhaps a stranger's, never decides: where is written, what is replaced, what is fetched.
-_COMMAND_LINE_ONLY: frozenset[str | None] = frozenset({"output", "overwrite", "remote"})
+#: What a configuration, perhaps a stranger's, never decides: where is written, what is replaced, what is fetched, and
+#: who gets the data.
+_COMMAND_LINE_ONLY: frozenset[str | None] = frozenset({"output", "overwrite", "remote", "scheduler"})
 _LEFT_OUT = "firebreak_gis.left_out"
 
 

@@ -13,7 +13,10 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 #: Options that do not shape the result.
 _TRANSIENT = frozenset(
-    ("output", "overwrite", "max_memory", "creation_options", "dry_run", "as_json", "progress_mode", "verbose", "quiet")
+    (
+        *("output", "overwrite", "max_memory", "creation_options", "dry_run", "workers", "scheduler", "resume"),
+        *("as_json", "progress_mode", "verbose", "quiet"),
+    )
 )
 _TYPED = "firebreak_gis.typed"
 

@@ -2,28 +2,30 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from firebreak_gis import plugins
-from firebreak_gis.errors import ParameterError
+from firebreak_gis.errors import InputError, ParameterError
+from firebreak_gis.files import sha256
 from firebreak_gis.landscape.folder import LandscapeFolder
-from firebreak_gis.planning.scene import require_no_more, timed_for
+from firebreak_gis.planning.scene import files_of, require_no_more, timed_for
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.windows import breaks_in
 from firebreak_gis.spread.raster import NetworkFile
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from firebreak_gis.grid import Grid
     from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.simulation.weather import Weather
     from firebreak_gis.simulation.window import Window
+
+    Rectangle = tuple[int, int, int, int]
 
 #: Rows of a map that are looked at together for where fuel is.
 _ROWS = 256
@@ -56,22 +58,29 @@ class MapInFiles:
         self.breaks: np.ndarray | LineBreaks | None = None
         self.barriers: np.ndarray | None = None
         self.weather: Weather | None = weather.read()
-        self._fuel: Callable[[tuple[int, int, int, int]], np.ndarray]
-        self._ground: Callable[[tuple[int, int, int, int]], Ground]
+        self._source, self._spread = source, spread
+        self._map: LandscapeFolder | NetworkFile
         if Path(source).is_dir():
             if plugins.halo_of(spread.model) is None:
                 raise ParameterError(f"the spread model {spread.model} must see the whole map; leave --window out")
-            self._folder = LandscapeFolder(source)
+            self._map = LandscapeFolder(source)
             self._spread = timed_for(spread, self.weather, clock=clock)
-            self.grid: Grid = self._folder.grid
-            self._fuel = lambda part: np.asarray(self._folder.read(part)["burnable"])
-            self._ground = self._of_landscape
         else:
             require_no_more(source, spread, self.weather)
-            file = NetworkFile(source)
-            self.grid = file.grid
-            self._fuel = file.fuel
-            self._ground = lambda part: Ground(file.read(part))
+            self._map = NetworkFile(source)
+        self.grid: Grid = self._map.grid
+
+    def __reduce__(self) -> Any:
+        """As the names of its files: whoever gets it opens them for himself."""
+        names = {name: _absolute(getattr(self._spread, name)) for name in ("wind_speed", "wind_from", "moisture")}
+        uv = self._spread.wind_uv
+        spread = replace(self._spread, **names, wind_uv=uv and (_absolute(uv[0]), _absolute(uv[1])))
+        return _again, (str(Path(self._source).absolute()), spread, self.weather, self.breaks, self.barriers)
+
+    def content(self) -> list[Any]:
+        """What tells it from other maps."""
+        files = [sha256(file) for file in (*files_of(self._source), *self._spread.sources)]
+        return [files, replace(self._spread), self.weather, self.breaks, self.barriers]
 
     @cached_property
     def burnable(self) -> np.ndarray:
@@ -88,11 +97,37 @@ class MapInFiles:
         barriers = None if self.barriers is None else self.barriers[window.slices]
         return Ground(made.network, made.weather, barriers), breaks_in(window, self.breaks, self.grid)
 
-    def _of_landscape(self, part: tuple[int, int, int, int]) -> Ground:
+    def _fuel(self, part: Rectangle) -> np.ndarray:
+        if isinstance(self._map, NetworkFile):
+            return self._map.fuel(part)
+        return np.asarray(self._map.read(part)["burnable"])
+
+    def _ground(self, part: Rectangle) -> Ground:
         from firebreak_gis.spread import spread_network
 
-        landscape = self._folder.read(part)
+        if isinstance(self._map, NetworkFile):
+            return Ground(self._map.read(part))
+        landscape = self._map.read(part)
         if self.weather is not None:
             networks = self._spread.networks(landscape, self.weather)
             return Ground(networks[0].network, networks)
         return Ground(spread_network(landscape, model=self._spread.model, **self._spread.params(landscape)))
+
+
+def _absolute(value: Any) -> Any:
+    """The name of a raster as any process of this file system finds it; numbers stay."""
+    return str(Path(value).absolute()) if isinstance(value, str) else value
+
+
+def _again(
+    source: str,
+    spread: SpreadRequest,
+    weather: Weather | None,
+    breaks: np.ndarray | LineBreaks | None,
+    barriers: np.ndarray | None,
+) -> MapInFiles:
+    if not Path(source).exists():
+        raise InputError(f"a worker does not find {source}; maps read by windows must lie where all workers reach them")
+    made = MapInFiles(source, spread, WeatherRequest(weather), clock=spread.clock)
+    made.breaks, made.barriers = breaks, barriers
+    return made

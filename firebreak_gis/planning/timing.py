@@ -22,6 +22,7 @@ from firebreak_gis.errors import FirebreakError
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.planning.design import design
 from firebreak_gis.progress import worked
+from firebreak_gis.simulation.engine import in_use, using
 from firebreak_gis.simulation.fires import burn
 from firebreak_gis.simulation.ignitions import Ignitions
 from firebreak_gis.simulation.windows import window_work
@@ -154,7 +155,7 @@ def by_pieces(work: Callable[[slice, slice], None], shape: tuple[int, int], now:
 def fire_seconds(
     ground: Ground, fires: FireRequest, *, passes: float, now: Now = time.perf_counter, **how: Any
 ) -> float:
-    """Seconds of a run, from those of a few.
+    """Seconds of a run, from those of a few, which this process burns whoever burns the others.
 
     Parameters
     ----------
@@ -170,10 +171,18 @@ def fire_seconds(
     n_runs = int(min(max(fires.n_runs * passes * _PILOT, 1.0), _MOST_FIRES, fires.n_runs))
     starts = fires.ignitions
     given = {"weather": ground.weather, "barriers": ground.barriers, **how}
-    for count in (1, n_runs):  # what is loaded at the first call does not count
-        few = replace(fires, n_runs=count, ignitions=starts.first(count) if isinstance(starts, Ignitions) else starts)
-        seconds = worked(partial(burn, ground.network, few, **given), now)
-    return seconds / n_runs
+    with using(None):
+        for count in (1, n_runs):  # what is loaded at the first call does not count
+            first = starts.first(count) if isinstance(starts, Ignitions) else starts
+            few = replace(fires, n_runs=count, ignitions=first)
+            seconds = worked(partial(burn, ground.network, few, **given), now)
+    return seconds / n_runs / _faster(how.get("threads"))
+
+
+def _faster(threads: int | None) -> float:
+    """How many times the threads of this process those are that will do the work."""
+    engine = in_use()
+    return 1.0 if engine is None or engine.threads is None else engine.threads / thread_count(threads)
 
 
 def runs_seconds(
@@ -194,11 +203,12 @@ def runs_seconds(
     now
         Tells the time [s].
     """
-    work(1)  # what is loaded at the first call does not count
-    one = worked(partial(work, 1), now)
-    count = int(min(max(n_runs * times * _PILOT, 2.0), _MOST_FIRES))
-    each = max(worked(partial(work, count), now) - one, 0.0) / (count - 1)
-    return times * (max(one - each, 0.0) + each * n_runs) + (times - 1.0) * before
+    with using(None):
+        work(1)  # what is loaded at the first call does not count
+        one = worked(partial(work, 1), now)
+        count = int(min(max(n_runs * times * _PILOT, 2.0), _MOST_FIRES))
+        each = max(worked(partial(work, count), now) - one, 0.0) / (count - 1)
+    return times * (max(one - each, 0.0) + each * n_runs / _faster(None)) + (times - 1.0) * before
 
 
 def window_seconds(
@@ -225,7 +235,9 @@ def window_seconds(
             first[-1] -= min((few - 1) * each[-1], first[-1])
     run = float(np.mean(each)) if each else 0.0
     whole = float(np.mean(first)) * len(counts) + run * (sum(counts) - len(counts))
-    return whole / min(thread_count(threads), len(counts))
+    engine = in_use()
+    there = (None if engine is None else engine.threads) or thread_count(threads)
+    return whole / min(there, len(counts))
 
 
 def delineation_seconds(

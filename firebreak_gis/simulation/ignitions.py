@@ -53,9 +53,14 @@ class Ignitions(Shown):
 
     def first(self, n_runs: int) -> Ignitions:
         """Those of the first runs alone."""
-        end = self.starts[n_runs]
-        at = None if self.at is None else self.at[:end]
-        return Ignitions(self.starts[: n_runs + 1], self.cells[:end], self.first_run, at, self.notes)
+        return self.of_runs(0, n_runs)
+
+    def of_runs(self, first: int, last: int) -> Ignitions:
+        """Those of the runs from `first` to before `last` alone, counted from the first run."""
+        starts = self.starts[first : last + 1]
+        own = slice(starts[0], starts[-1])
+        at = None if self.at is None else self.at[own]
+        return Ignitions(starts - starts[0], self.cells[own], self.first_run + first, at, self.notes)
 
     def facts(self) -> dict[str, object]:
         """How many runs start in how many cells, as `repr` shows it."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -163,6 +164,30 @@ def add_up(total: Tally, parts: list[Tally]) -> None:
         for name in _OWN:
             if name != "hanging":
                 np.add(getattr(total, name), getattr(part, name), out=getattr(total, name))
+
+
+#: Sums a run.
+_BY_RUN = ("sizes", "lost", "growth", "reached")
+
+
+def part_of(tally: Tally, runs: np.ndarray) -> dict[str, np.ndarray]:
+    """What some runs have come to, to be sent and kept: sums of the cells that burn, `cells`, and of the runs."""
+    cells = np.flatnonzero(tally.counts)
+    sums = {name: getattr(tally, name) for name in _OWN if name != "hanging"}
+    return {
+        "cells": cells.astype(np.uint32 if tally.counts.size < 1 << 32 else np.uint64),
+        **{name: plane[cells] for name, plane in sums.items() if plane.size},
+        **{name: each[runs] for name in _BY_RUN if (each := getattr(tally, name)).size},
+    }
+
+
+def take_part(total: Tally, runs: np.ndarray, part: Mapping[str, np.ndarray]) -> None:
+    """Add what `part_of` gave of the runs to `total`."""
+    for name, values in part.items():
+        if name in _BY_RUN:
+            getattr(total, name)[runs] = values
+        elif name != "cells":
+            getattr(total, name)[part["cells"]] += values
 
 
 def product_maps(network: SpreadNetwork, products: Products, tally: Tally) -> dict[str, xr.DataArray]:

@@ -8,7 +8,7 @@ on, so none of them needs to know.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -19,6 +19,7 @@ from firebreak_gis.simulation.holding import Hold
 from firebreak_gis.simulation.stations import Stations, Travel
 
 if TYPE_CHECKING:
+    from firebreak_gis.grid import Grid
     from firebreak_gis.network import Residual
     from firebreak_gis.simulation.containment import Containment
     from firebreak_gis.simulation.durations import Duration
@@ -121,6 +122,14 @@ class FireRequest:
         if isinstance(self.stations, Stations):
             return self.stations
         return Stations(self.stations, self.roads, self.crew_travel or Travel())
+
+    def settled(self, grid: Grid) -> FireRequest:
+        """The same fires once their starts are drawn, without the names of files: what a worker needs of them."""
+        called = None if self.called is None else self.called.settled(grid, self.holding.length)
+        residual = np.asarray(self.residual) if np.ndim(self.residual) else self.residual
+        return replace(
+            self, ignitions=None, ignition_times=None, stations=called, roads=None, crew_travel=None, residual=residual
+        )
 
     @property
     def crews(self) -> Containment | None:

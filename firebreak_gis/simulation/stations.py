@@ -136,6 +136,10 @@ class Stations:
         self._found.append((grid, length, seconds))
         return seconds
 
+    def settled(self, grid: Grid, length: float) -> Stations:
+        """The same on one grid and stretches of one length, without what it was read from."""
+        return Stations(None, None, self.travel, [(grid, length, self.arrival(grid, length))])
+
     def told(self) -> str:
         """What is assumed, in words, for accounts and pictures."""
         way = f"{self.travel.off:g} km/h off roads"

@@ -7,17 +7,20 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.lattice import NEVER
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.durations import ENDLESS
 from firebreak_gis.simulation.embers import nothing_flies, what_flies, wind_of
+from firebreak_gis.simulation.engine import in_use, ranges, spread
 from firebreak_gis.simulation.holding import build_walls, strongest
-from firebreak_gis.simulation.products import Products, add_up, new_tally, own_sums
+from firebreak_gis.simulation.products import Products, add_up, new_tally, own_sums, part_of, take_part
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
@@ -26,7 +29,6 @@ if TYPE_CHECKING:
     from firebreak_gis.kernels.arrival import Clock, Workspace
     from firebreak_gis.kernels.draws import Thresholds
     from firebreak_gis.kernels.tally import Tally
-    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.ignitions import Ignitions
     from firebreak_gis.simulation.request import FireRequest
@@ -35,6 +37,8 @@ if TYPE_CHECKING:
 
 #: Runs that a thread makes before it looks for the next piece.
 _PIECE = 8
+#: Runs of a part that another process makes, at least.
+_PART = 8
 
 
 class Group(NamedTuple):
@@ -130,11 +134,76 @@ def burn_timed(
     chosen
         Numbers of the runs that are made, counted from the first; None: all.
     """
+    fires: dict[str, Any] = {
+        "network": network,
+        "request": request,
+        "start": start,
+        "limits": limits,
+        "breaks": breaks,
+        "barriers": barriers,
+        "value": value,
+        "weather": weather,
+        "products": products,
+    }
+    # Windows are parts themselves, and arrivals run by run are too large to be sent.
+    if in_use() is None or window is not None or products.arrivals:
+        return _burn_here(**fires, threads=threads, progress=progress, window=window, reach=reach, chosen=chosen)
+    runs = np.arange(request.n_runs) if chosen is None else chosen
+    if weather is not None:  # those of one weather together, so that few workers need its network
+        spells = weather.weather.of_runs(seed=request.seed, n_runs=request.n_runs, first_run=start.first_run)
+        runs = runs[np.argsort(spells[runs], kind="stable")]
+    total = _tally(network, products, request.n_runs, limits, value)
+    pieces = [runs[first:last] for first, last in ranges(runs.size, _PART)]
+    spread(
+        timed_part,
+        pieces,
+        {
+            **fires,
+            "request": request.settled(network.grid),
+            "breaks": on_cells(network, breaks, "breaks"),
+            "barriers": on_cells(network, barriers, "barriers"),
+        },
+        take=lambda i, part: take_part(total, pieces[i], part),
+        threads=threads,
+        progress=progress,
+    )
+    return total
+
+
+def on_cells(
+    network: SpreadNetwork, breaks: np.ndarray | xr.DataArray | LineBreaks | None, what: str
+) -> np.ndarray | LineBreaks | None:
+    """Breaks that have been held against the grid of a network, as they are sent: (rows, cols) bool, or lines."""
+    return breaks if breaks is None or isinstance(breaks, LineBreaks) else network.mask(breaks, what)
+
+
+def timed_part(piece: np.ndarray, *, threads: int | None, progress: Progress, **fires: Any) -> dict[str, np.ndarray]:
+    """Burn some of the runs of `burn_timed`; see `products.part_of`."""
+    return part_of(_burn_here(**fires, threads=threads, progress=progress, chosen=piece), piece)
+
+
+def _burn_here(
+    network: SpreadNetwork,
+    request: FireRequest,
+    start: Ignitions,
+    limits: np.ndarray,
+    *,
+    breaks: np.ndarray | xr.DataArray | LineBreaks | None,
+    barriers: np.ndarray | xr.DataArray | None,
+    value: np.ndarray | Callable[[Group], np.ndarray] | None,
+    weather: WeatherNetworks | None,
+    products: Products,
+    threads: int | None,
+    progress: Progress | None,
+    window: Window | None = None,
+    reach: int = 1,
+    chosen: np.ndarray | None = None,
+) -> Tally:
+    """Burn runs on the threads of this process."""
     n_runs = request.n_runs
     by_group = value if callable(value) else None
-    worth = np.zeros(network.burnable.size) if callable(value) else value
     rim = None if window is None or window.whole else window.rim(reach)
-    total = new_tally(network, products, n_runs, longest=longest_of(limits), value=worth, rim=rim)
+    total = _tally(network, products, n_runs, limits, value, rim)
     spaces = Spaces()
     tallies = _Tallies(total)
     done = 0
@@ -161,6 +230,18 @@ def burn_timed(
         done += group.runs.size
     add_up(total, tallies.made)
     return total
+
+
+def _tally(
+    network: SpreadNetwork,
+    products: Products,
+    n_runs: int,
+    limits: np.ndarray,
+    value: np.ndarray | Callable[[Group], np.ndarray] | None,
+    rim: np.ndarray | None = None,
+) -> Tally:
+    worth = np.zeros(network.burnable.size) if callable(value) else value
+    return new_tally(network, products, n_runs, longest=longest_of(limits), value=worth, rim=rim)
 
 
 def longest_of(limits: np.ndarray) -> int:
@@ -265,13 +346,20 @@ def containment(
         return at, near
     network.require_heat("containment by direct attack")
 
-    def fierce(group: Group) -> np.ndarray:
-        each = [strongest(group.network, "containment by direct attack", times) for times in group.times]
-        return np.asarray(np.mean(each, axis=0) > crews.intensity, np.float64).ravel()
-
-    fires = {"progress": None, "value": fierce, "products": Products(), **fires}
+    fires = {"progress": None, "value": _Fierce(crews.intensity), "products": Products(), **fires}
     met = burn_timed(network, request, start, np.minimum(limits, at), **fires)
     return np.where(crews.succeeds(met.sizes, met.lost, network.grid), at, ENDLESS), met.reached
+
+
+@dataclass(frozen=True)
+class _Fierce:
+    """1 in the cells whose strongest fire is above an intensity [kW/m], else 0."""
+
+    intensity: float
+
+    def __call__(self, group: Group) -> np.ndarray:
+        each = [strongest(group.network, "containment by direct attack", times) for times in group.times]
+        return np.asarray(np.mean(each, axis=0) > self.intensity, np.float64).ravel()
 
 
 def _burn_piece(

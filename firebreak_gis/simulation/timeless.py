@@ -6,13 +6,16 @@ All give the same numbers.
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.progress import Progress, part
+from firebreak_gis.simulation.engine import in_use, ranges, spread
+from firebreak_gis.simulation.timed import on_cells
 from firebreak_gis.threads import run_pieces, thread_count
 
 if TYPE_CHECKING:
@@ -27,6 +30,8 @@ if TYPE_CHECKING:
 _PILOT = 4
 #: Runs that a thread makes one by one before it looks for the next piece.
 _PIECE = 8
+#: Runs of a part that another process makes, at least: as many as are made at once.
+_PART = 64
 
 
 def burn_all(
@@ -58,6 +63,56 @@ def burn_all(
     lost
         (n_runs,) float64.
     """
+    if in_use() is None:
+        return _burn_here(network, request, start, breaks, value, threads, progress)
+    counts, sizes = np.zeros(network.burnable.size, np.uint32), np.zeros(request.n_runs, np.int64)
+    lost = np.zeros(request.n_runs)
+    pieces = ranges(request.n_runs, _PART)
+
+    def take(i: int, part: Mapping[str, np.ndarray]) -> None:
+        runs = slice(*pieces[i])
+        counts[part["cells"]] += part["counts"]
+        sizes[runs], lost[runs] = part["sizes"], part["lost"]
+
+    shared = {
+        "network": network,
+        "request": request.settled(network.grid),
+        "start": start,
+        "breaks": on_cells(network, breaks, "breaks"),
+        "value": value,
+    }
+    spread(timeless_part, pieces, shared, take=take, threads=threads, progress=progress)
+    return counts.reshape(network.shape), sizes, lost
+
+
+def timeless_part(
+    piece: tuple[int, int],
+    *,
+    network: SpreadNetwork,
+    request: FireRequest,
+    start: Ignitions,
+    breaks: np.ndarray | LineBreaks | None,
+    value: np.ndarray | None,
+    threads: int | None,
+    progress: Progress,
+) -> dict[str, np.ndarray]:
+    """Burn some of the runs of `burn_all`: the cells that burn and how often, sizes and losses of the runs."""
+    some = replace(request, n_runs=piece[1] - piece[0])
+    counts, sizes, lost = _burn_here(network, some, start.of_runs(*piece), breaks, value, threads, progress)
+    cells = np.flatnonzero(counts)
+    return {"cells": cells, "counts": counts.ravel()[cells], "sizes": sizes, "lost": lost}
+
+
+def _burn_here(
+    network: SpreadNetwork,
+    request: FireRequest,
+    start: Ignitions,
+    breaks: np.ndarray | xr.DataArray | LineBreaks | None,
+    value: np.ndarray | None,
+    threads: int | None,
+    progress: Progress | None,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Burn runs on the threads of this process."""
     from firebreak_gis.kernels.lanes import burn_block
     from firebreak_gis.kernels.percolation import burn_runs
 
@@ -108,11 +163,58 @@ def burn_levels(
 
     `levels` (n_cells,) int32 are those of `fires.cut_levels`; all else as in `burn_all`.
     """
+    if in_use() is None:
+        _burn_levels_here(network, start, levels, burnt, request, threads, progress)
+        return
+    pieces = ranges(request.n_runs, _PART)
+
+    def take(i: int, part: Mapping[str, np.ndarray]) -> None:
+        burnt[slice(*pieces[i])] = part["burnt"]
+
+    shared = {
+        "network": network,
+        "request": request.settled(network.grid),
+        "start": start,
+        "levels": levels,
+        "n_levels": burnt.shape[1],
+    }
+    spread(levels_part, pieces, shared, take=take, threads=threads, progress=progress)
+
+
+def levels_part(
+    piece: tuple[int, int],
+    *,
+    network: SpreadNetwork,
+    request: FireRequest,
+    start: Ignitions,
+    levels: np.ndarray,
+    n_levels: int,
+    threads: int | None,
+    progress: Progress,
+) -> dict[str, np.ndarray]:
+    """Burn some of the runs of `burn_levels`."""
+    n_runs = piece[1] - piece[0]
+    burnt = np.zeros((n_runs, n_levels), np.int64)
+    some = replace(request, n_runs=n_runs)
+    _burn_levels_here(network, start.of_runs(*piece), levels, burnt, some, threads, progress)
+    return {"burnt": burnt}
+
+
+def _burn_levels_here(
+    network: SpreadNetwork,
+    start: Ignitions,
+    levels: np.ndarray,
+    burnt: np.ndarray,
+    request: FireRequest,
+    threads: int | None,
+    progress: Progress | None,
+) -> None:
+    """Burn runs on the threads of this process."""
     from firebreak_gis.kernels.lanes import curve_block
     from firebreak_gis.kernels.percolation import burn_curve as curve_runs
 
     n_runs, seed = request.n_runs, request.seed
-    fires = _Fires(network, start.starts, start.cells, n_runs=n_runs, seed=seed)
+    fires = _Fires(network, start.starts, start.cells, n_runs=n_runs, first_run=start.first_run, seed=seed)
 
     def one_by_one(first: int, last: int) -> None:
         curve_runs(*fires.given, first, last, levels, burnt)

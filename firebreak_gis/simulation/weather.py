@@ -8,6 +8,7 @@ asked for.
 from __future__ import annotations
 
 import functools
+import threading
 from collections import OrderedDict
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -253,6 +254,15 @@ class WeatherNetworks(Shown):
         self._build = build
         self._keep = keep
         self._kept: OrderedDict[tuple[Any, ...], Conditions] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def __reduce__(self) -> Any:
+        """What is kept is made again where it is needed."""
+        return _networks_again, (self.weather, self._build, self._keep)
+
+    def content(self) -> list[Any]:
+        """What tells it from others."""
+        return [self.weather, self._build]
 
     def facts(self) -> dict[str, object]:
         """Those of the weather."""
@@ -266,15 +276,16 @@ class WeatherNetworks(Shown):
         """Return the landscape in the spell of that number."""
         spell = self.weather.spells[index]
         key = (spell.steps, spell.starts, spell.span)
-        if key not in self._kept:
-            made = self._make(spell)
-            for other in self._kept.values():
-                _share(made.network, other.network)
-            self._kept[key] = made
-            while len(self._kept) > self._keep:
-                self._kept.popitem(last=False)
-        self._kept.move_to_end(key)
-        return self._kept[key]
+        with self._lock:
+            if key not in self._kept:
+                made = self._make(spell)
+                for other in self._kept.values():
+                    _share(made.network, other.network)
+                self._kept[key] = made
+                while len(self._kept) > self._keep:
+                    self._kept.popitem(last=False)
+            self._kept.move_to_end(key)
+            return self._kept[key]
 
     def _make(self, spell: Spell) -> Conditions:
         starts = np.array(spell.starts, np.uint64)
@@ -288,6 +299,10 @@ class WeatherNetworks(Shown):
         networks = [made[step] for step in spell.steps]
         times = tuple(network.require_times("changing weather") for network in networks)
         return Conditions(_mean(networks, times, _lengths(spell)), starts, times)
+
+
+def _networks_again(weather: Weather, build: Callable[[Step], SpreadNetwork], keep: int) -> WeatherNetworks:
+    return WeatherNetworks(weather, build, keep=keep)
 
 
 def _mean(networks: Sequence[SpreadNetwork], times: Sequence[np.ndarray], lengths: np.ndarray) -> SpreadNetwork:

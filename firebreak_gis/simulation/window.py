@@ -88,6 +88,11 @@ class Window:
         row, col = np.divmod(cells, self.map_shape[1])
         return np.where(cells < 0, -1, (row - self.top) * self.shape[1] + col - self.left)
 
+    def on_map(self, cells: np.ndarray) -> np.ndarray:
+        """Numbers on the map of cells of the window."""
+        row, col = np.divmod(cells, self.shape[1])
+        return np.asarray((row + self.top) * self.map_shape[1] + col + self.left)
+
     def rim(self, reach: int) -> np.ndarray:
         """(rows, cols) bool: cells within `reach` cells of a side beyond which the map goes on."""
         rows, cols = self.shape

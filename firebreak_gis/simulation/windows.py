@@ -11,7 +11,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import numpy as np
@@ -21,12 +21,15 @@ from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.progress import silent
 from firebreak_gis.simulation.durations import ENDLESS
+from firebreak_gis.simulation.engine import in_use, spread, using
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.products import Products
 from firebreak_gis.simulation.window import Window, tiles
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     import xarray as xr
 
     from firebreak_gis.grid import Grid
@@ -196,11 +199,7 @@ def burn_windows(
     work = _Work(source, request, resolved(fuel, request), progress or silent)
     batches = work.windows(side)
     while batches:
-        again: list[tuple[np.ndarray, int]] = []
-        run_pieces(
-            partial(work.burn, again=again), batches, threads=threads, progress=work.report, message="burning windows"
-        )
-        batches = again
+        batches = work.burn(batches, threads)
     return work.burns(fuel)
 
 
@@ -222,13 +221,81 @@ def window_work(
 
     def burn(k: int, count: int) -> None:
         waiting = [(windows[k][0][:count], side)]
-        while waiting:
-            again: list[tuple[np.ndarray, int]] = []
-            for batch in waiting:
-                work.burn(batch, again=again)
-            waiting = again
+        with using(None):
+            while waiting:
+                waiting = work.burn(waiting, 1)
 
     return [runs.size for runs, _ in windows], burn
+
+
+#: Numbers of runs, and the side of the window in which they burn first.
+_Batch = tuple[np.ndarray, int]
+
+
+def window_part(
+    batch: _Batch,
+    *,
+    source: MapSource,
+    request: FireRequest,
+    start: Ignitions,
+    limits: np.ndarray,
+    threads: int | None,
+    progress: Progress,
+) -> dict[str, np.ndarray]:
+    """Burn runs in a window of a map.
+
+    Returns
+    -------
+    dict
+        `cells` of the map that burn and `counts`, how often; `runs` that are through, with `sizes` and `contained`;
+        and those that need a `larger` window.
+    """
+    from firebreak_gis.simulation.timed import burn_timed, containment
+
+    runs, side = batch
+    window, start = _window(source.grid.shape, start, runs, side)
+    ground, breaks = source.read(window)
+    if np.ndim(request.residual):
+        request = replace(request, residual=np.asarray(request.residual)[window.slices])
+    embers = request.embers
+    fires: dict[str, Any] = {
+        "breaks": breaks,
+        "barriers": ground.barriers,
+        "weather": ground.weather,
+        "threads": threads,
+        "window": window,
+        "reach": 1 if embers is None else int(embers.longest / ground.network.grid.cell_size) + 2,
+        "progress": progress,
+    }
+    contained, left = np.full(request.n_runs, ENDLESS), runs
+    if request.crews is not None:
+        contained, far = containment(ground.network, request, start, limits, chosen=runs, **fires)
+        left = runs[~far[runs]]
+    ends = np.minimum(limits, contained)
+    tally = burn_timed(ground.network, request, start, ends, value=None, products=Products(), chosen=left, **fires)
+    left = left[~tally.reached[left]]
+    burnt = np.flatnonzero(tally.counts)
+    return {
+        "cells": window.on_map(burnt),
+        "counts": tally.counts[burnt],
+        "runs": left,
+        "sizes": tally.sizes[left],
+        "contained": contained[left],
+        "larger": np.setdiff1d(runs, left),
+    }
+
+
+def _window(map_shape: tuple[int, int], start: Ignitions, runs: np.ndarray, side: int) -> tuple[Window, Ignitions]:
+    """The window in which runs start, and their ignitions in it."""
+    own = np.zeros(start.cells.size, bool)
+    for run in runs.tolist():
+        own[start.starts[run] : start.starts[run + 1]] = True
+    own &= start.cells >= 0
+    row, col = np.divmod(start.cells[own], map_shape[1])
+    window = Window.around(int(row.min()), int(col.min()), int(row.max()), int(col.max()), map_shape, side)
+    cells = np.full(start.cells.size, -1)
+    cells[own] = window.local(start.cells[own])
+    return window, replace(start, cells=cells)
 
 
 class _Work:
@@ -238,84 +305,56 @@ class _Work:
         from firebreak_gis.simulation.fires import limits_of
 
         self.start = start
-        self._source, self._request, self._progress = source, request, progress
+        self._request, self._progress = request, progress
         self._limits, self._spells = limits_of(request, source.weather, start.first_run)
+        self._shared: dict[str, Any] = {
+            "source": source,
+            "request": request.settled(source.grid),
+            "start": start,
+            "limits": self._limits,
+        }
         self._contained = np.full(request.n_runs, ENDLESS)
-        self._counts = np.zeros(source.grid.shape, np.uint32)
+        self._counts = np.zeros(source.grid.shape[0] * source.grid.shape[1], np.uint32)
         self._sizes = np.zeros(request.n_runs, np.int64)
         self._done = 0
         self._lock = threading.Lock()
 
-    def windows(self, side: int) -> list[tuple[np.ndarray, int]]:
+    def windows(self, side: int) -> list[_Batch]:
         """The runs of each of the first windows, and their side."""
         start = self.start
         return [(runs, side) for runs in tiles(start.cells, start.starts, self._source.grid.shape, side // 2)]
 
-    def report(self, share: float, message: str) -> None:  # noqa: ARG002
-        """Tell the share of the runs that are done."""
-        self._progress(self._done / self._request.n_runs, message)
+    def burn(self, batches: list[_Batch], threads: int | None) -> list[_Batch]:
+        """Burn runs in windows of about the side of each batch; return those that need a larger one, with it."""
+        again: dict[int, _Batch] = {}
 
-    def burn(self, batch: tuple[np.ndarray, int], again: list[tuple[np.ndarray, int]]) -> None:
-        """Burn runs in a window of about the side; those that need a larger one are added to `again`."""
-        from firebreak_gis.simulation.timed import burn_timed, containment
+        def take(i: int, part: Mapping[str, np.ndarray]) -> None:
+            with self._lock:
+                self._counts[part["cells"]] += part["counts"]
+                self._sizes[part["runs"]] = part["sizes"]
+                self._contained[part["runs"]] = part["contained"]
+                self._done += part["runs"].size
+                if part["larger"].size:
+                    again[i] = (part["larger"], 2 * batches[i][1])
 
-        runs, side = batch
-        window, start = self._window(runs, side)
-        ground, breaks = self._source.read(window)
-        request, embers = self._request, self._request.embers
-        if np.ndim(request.residual):
-            request = replace(request, residual=np.asarray(request.residual)[window.slices])
-        reach = 1 if embers is None else int(embers.longest / ground.network.grid.cell_size) + 2
-        fires: dict[str, Any] = {
-            "breaks": breaks,
-            "barriers": ground.barriers,
-            "weather": ground.weather,
-            "threads": 1,
-            "window": window,
-            "reach": reach,
-        }
-        ends, left = self._limits, runs
-        if self._request.crews is not None:
-            contained, far = containment(ground.network, request, start, self._limits, chosen=runs, **fires)
-            ends, left = np.minimum(self._limits, contained), runs[~far[runs]]
-        tally = burn_timed(
-            ground.network,
-            request,
-            start,
-            ends,
-            value=None,
-            products=Products(),
-            progress=None,
-            chosen=left,
-            **fires,
-        )
-        left = left[~tally.reached[left]]
-        larger = np.setdiff1d(runs, left)
-        with self._lock:
-            self._counts[window.slices] += tally.counts.reshape(window.shape)
-            self._sizes[left] = tally.sizes[left]
-            if self._request.crews is not None:
-                self._contained[left] = contained[left]
-            self._done += left.size
-            if larger.size:
-                again.append((larger, 2 * side))
+        def report(share: float, message: str) -> None:  # noqa: ARG001
+            self._progress(self._done / self._request.n_runs, "burning windows")
 
-    def _window(self, runs: np.ndarray, side: int) -> tuple[Window, Ignitions]:
-        """The window in which runs start, and their ignitions in it."""
-        start, shape = self.start, self._source.grid.shape
-        own = np.zeros(start.cells.size, bool)
-        for run in runs.tolist():
-            own[start.starts[run] : start.starts[run + 1]] = True
-        own &= start.cells >= 0
-        row, col = np.divmod(start.cells[own], shape[1])
-        window = Window.around(int(row.min()), int(col.min()), int(row.max()), int(col.max()), shape, side)
-        cells = np.full(start.cells.size, -1)
-        cells[own] = window.local(start.cells[own])
-        return window, replace(start, cells=cells)
+        if in_use() is None:
+            run_pieces(
+                lambda i: take(i, window_part(batches[i], threads=1, progress=silent, **self._shared)),
+                range(len(batches)),
+                threads=threads,
+                progress=report,
+                message="burning windows",
+            )
+        else:
+            spread(window_part, batches, self._shared, take=take, threads=threads, progress=report)
+        return [again[i] for i in sorted(again)]
 
     def burns(self, fuel: SpreadNetwork) -> xr.Dataset:
         """The result as `fires.burn` returns it."""
         from firebreak_gis.simulation.fires import burn_maps, told_of_runs
 
-        burns = burn_maps(fuel, self._counts, self._sizes, seed=self._request.seed)
+        burns = burn_maps(fuel, self._counts.reshape(fuel.shape), self._sizes, seed=self._request.seed)
         return burns.assign(told_of_runs(self._request, self._limits, self._contained, self._spells))

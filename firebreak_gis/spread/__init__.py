@@ -13,6 +13,7 @@ A model that knows how fast fire goes returns (probability, travel_time) or (pro
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args
 
@@ -191,9 +192,17 @@ def weather_networks(
     if not clock and not ensemble.steady:
         raise ParameterError("weather that changes with time needs fires with a clock; give a duration")
     given = {**params, **({"clock": True} if clock else {})}
+    return WeatherNetworks(ensemble, _InWeather(landscape, model, given), keep=keep)
 
-    def build(step: Step) -> SpreadNetwork:
+
+@dataclass(frozen=True, eq=False)
+class _InWeather:
+    """Makes the network of a landscape in one step of a weather."""
+
+    landscape: xr.Dataset
+    model: str
+    given: Mapping[str, Any]
+
+    def __call__(self, step: Step) -> SpreadNetwork:
         conditions = {name: value for name, value in step._asdict().items() if value is not None}
-        return spread_network(landscape, model=model, **(given | conditions))
-
-    return WeatherNetworks(ensemble, build, keep=keep)
+        return spread_network(self.landscape, model=self.model, **{**self.given, **conditions})

@@ -8,7 +8,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 #: Options that the plugin sets itself or that mean nothing in a form.
-HIDDEN = frozenset({"output", "overwrite", "as_json", "progress_mode", "verbose", "quiet", "dry_run", "folder"})
+HIDDEN = frozenset(
+    {
+        *("output", "overwrite", "as_json", "progress_mode", "verbose", "quiet", "dry_run", "folder"),
+        *("workers", "scheduler", "resume"),  # dask is not where QGIS is, and a form is not started again
+    }
+)
 
 _OF_A_NETWORK = (
     "weather",

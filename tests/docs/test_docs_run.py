@@ -12,7 +12,7 @@ from firebreak_gis.cli import firebreak
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 PAGES = sorted(p for p in DOCS.rglob("*.md") if not {"_build", "generated"} & set(p.relative_to(DOCS).parts))
-FENCE = re.compile(r"((?:^<!-- .* -->\n)*)^```(\S*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+FENCE = re.compile(r"((?:^<!-- [^\n]* -->\n)*)^```(\S*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 #: Blocks that tests/contracts/test_readme.py runs, and looks at what comes out.
 RUN_BY_MARK = {"commands", "clock", "stakes", "python", "main job", "test"}
 
@@ -32,6 +32,9 @@ def run(language, text, scope, name):
         return
     for line in filter(None, text.splitlines()):
         words = shlex.split(line, comments=True)
+        if words[0] == "cmp":
+            assert Path(words[1]).read_bytes() == Path(words[2]).read_bytes(), line
+            continue
         assert words[0] == "firebreak", f"{line}: only firebreak runs here; mark the block <!-- not run: why -->"
         outcome = CliRunner().invoke(firebreak, words[1:])
         assert outcome.exit_code == 0, f"{line}\n{outcome.output}\n{outcome.exception}"
@@ -75,6 +78,7 @@ def test_options_that_pages_name_exist():
     """Options in running text, too: a renamed one must not live on in a page."""
     known = {flag for line in _flags(firebreak) for flag in line}
     foreign = {"--extra", "--only", "--huge", "--no-skips", "--output"}
+    foreign |= {"--port", "--nworkers", "--nthreads", "--scheduler-file", "--ntasks", "--cpus-per-task"}  # dask, Slurm
     for page in PAGES:
         prose = re.sub(r"<!--.*?-->|--\w+-->", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
         named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+[a-z]", prose)) - foreign

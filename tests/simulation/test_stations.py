@@ -14,7 +14,7 @@ from click.testing import CliRunner
 from shapely.geometry import LineString, Point
 
 import firebreak_gis as fb
-from firebreak_gis import SpreadNetwork, simulate, simulate_distributed
+from firebreak_gis import SpreadNetwork, simulate
 from firebreak_gis.cli import firebreak
 from firebreak_gis.errors import FirebreakError, InputError, ParameterError
 from firebreak_gis.kernels import draws
@@ -213,13 +213,14 @@ def test_faster_crews_and_roads_never_burn_more():
     assert sizes[-1].sum() < sizes[0].sum()
 
 
-def test_tasks_and_threads_give_the_same():
+def test_parts_and_threads_give_the_same(tmp_path):
     network = network_of(2)
     given = {"breaks": np.random.default_rng(3).random(network.shape) < 0.3, "duration": "1h", "n_runs": 40}
     given |= {"stations": points(network, (2, 3)), "crew_travel": SLOW}
     whole = simulate(network, **given)
     xr.testing.assert_identical(whole, simulate(network, threads=1, **given))
-    xr.testing.assert_equal(whole, simulate_distributed(network, runs_per_task=7, **given))
+    with fb.cluster(keep=tmp_path / "parts"):
+        xr.testing.assert_identical(whole, simulate(network, **given))
 
 
 @pytest.mark.parametrize("given", ["soon", "off=-1", "road=0", "delay=-3", "off=2;road=3", "speed=3", "off"])

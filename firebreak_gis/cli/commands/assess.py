@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, weather_options, years_options
+from firebreak_gis.cli.engine_options import engine
 from firebreak_gis.cli.layers import checked_fires, input_files, tell
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built
@@ -125,6 +126,7 @@ OUTPUTS: tuple[Output[_Assessed], ...] = (
 @options.seed
 @options.fitting("burn")
 @options.common
+@engine
 @built(output=OutputRequest, fires=FireRequest, spread=SpreadRequest, weather=WeatherRequest)
 def command(
     session: Session,

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, weather_options
+from firebreak_gis.cli.engine_options import engine
 from firebreak_gis.cli.layers import checked_fires, input_files, read_breaks, read_line_breaks
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -61,6 +62,7 @@ STEP = 7
 @options.seed
 @options.fitting("burn")
 @options.common
+@engine
 @built(output=OutputRequest, fires=FireRequest, spread=SpreadRequest, weather=WeatherRequest)
 def command(
     session: Session,

@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from firebreak_gis.cli import kinds, options, outputs, weather_options
+from firebreak_gis.cli.engine_options import engine
 from firebreak_gis.cli.layers import input_files, tell
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -77,6 +78,7 @@ _COLUMNS = ("landscape", "scar", "start", "duration", "weather", "step")
 @click.option("--table", type=kinds.NEW_TABLE, metavar="FILE", help="Also write what is told of each fire as CSV.")
 @outputs.output_file("Configuration (TOML), which every command takes as --config,", kinds.NEW_CONFIG)
 @options.common
+@engine
 @built(output=OutputRequest, weather=WeatherRequest, burning=FireRequest, asked=CalibrationRequest)
 def command(
     session: Session,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, parsing, stakes_options, weather_options
+from firebreak_gis.cli.engine_options import engine
 from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, ridges, tell
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built
@@ -160,6 +161,7 @@ OUTPUTS: tuple[Output[_Compared], ...] = (
 @options.seed
 @options.fitting("compare")
 @options.common
+@engine
 @built(
     output=OutputRequest,
     fires=FireRequest,

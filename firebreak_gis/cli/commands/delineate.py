@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, stakes_options, weather_options
+from firebreak_gis.cli.engine_options import engine
 from firebreak_gis.cli.layers import checked_fires, input_files, read_stakes, tell
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built
@@ -104,6 +105,7 @@ OUTPUTS: tuple[Output[_Delineated], ...] = (
 @weather_options.weather
 @weather_options.spread
 @options.common
+@engine
 @built(output=OutputRequest, fires=FireRequest, spread=SpreadRequest, weather=WeatherRequest, at_stake=StakesRequest)
 def command(
     session: Session,

@@ -17,6 +17,7 @@ from firebreak_gis.cli import (
     weather_options,
     years_options,
 )
+from firebreak_gis.cli.engine_options import engine
 from firebreak_gis.cli.layers import input_files, read_layers, read_stakes
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs, require_possible
 from firebreak_gis.cli.requests import built
@@ -80,6 +81,7 @@ STEP = 1
 @weather_options.spread
 @options.landscape
 @options.common
+@engine
 @built(
     layers=LandscapeRequest,
     output=OutputRequest,

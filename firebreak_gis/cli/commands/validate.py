@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from firebreak_gis.cli import kinds, options, outputs, weather_options
+from firebreak_gis.cli.engine_options import engine
 from firebreak_gis.cli.layers import input_files
 from firebreak_gis.cli.rehearsal import require_outputs
 from firebreak_gis.cli.requests import built
@@ -109,6 +110,7 @@ OUTPUTS: tuple[Output[_Validated], ...] = (
 @options.seed
 @outputs.output_folder(OUTPUTS, required=False, more=" Without it the scores are only told.")
 @options.common
+@engine
 @built(spread=SpreadRequest, weather=WeatherRequest)
 def command(
     session: Session,

@@ -1,0 +1,216 @@
+"""Where the parts of the work are made: on the threads of this machine, or by the workers of a cluster.
+
+The simulations fall into parts, ranges of runs, whose results are whole numbers to be added up, or numbers a run. So it
+does not matter who makes a part, how often, or in what order; the parts themselves depend on the runs alone. Whoever
+burns hands its parts to `spread`, and whoever wants them made elsewhere, or kept, says so around it (`using`):
+nobody in between needs to know.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import hashlib
+import os
+import pickle
+import weakref
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextvars import ContextVar
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from firebreak_gis import __version__
+from firebreak_gis.progress import part, silent
+
+if TYPE_CHECKING:
+    from firebreak_gis.files.parts import Parts
+    from firebreak_gis.progress import Progress
+    from firebreak_gis.simulation.cluster import Cluster
+
+    Result = Mapping[str, np.ndarray]
+    Work = Callable[..., Result]
+
+#: At most so many parts, whoever makes them; so many workers find something to do.
+_MOST_PARTS = 256
+
+
+@dataclass
+class Engine:
+    """Who makes the parts.
+
+    Parameters
+    ----------
+    cluster
+        Workers; None: the threads of this process.
+    kept
+        Where finished parts are kept, and taken from; None: nowhere.
+    """
+
+    cluster: Cluster | None = None
+    kept: Parts | None = None
+    #: Calls so far, which with the number of the part name it among those that are kept.
+    _calls: int = field(default=0, repr=False)
+
+    @property
+    def threads(self) -> int | None:
+        """Threads of all workers; None where this process does the work."""
+        return None if self.cluster is None else self.cluster.threads
+
+    def run(
+        self,
+        work: Work,
+        pieces: Sequence[Any],
+        shared: Mapping[str, Any],
+        take: Callable[[int, Result], None],
+        threads: int | None,
+        progress: Progress,
+    ) -> None:
+        """Make the pieces, see `spread`."""
+        left = dict(enumerate(pieces))
+        keep: Callable[[int, Result], None] = take
+        if self.kept is not None:
+            self._calls += 1
+            known = fingerprint((work.__module__, work.__qualname__, dict(shared)))
+            keys = {i: fingerprint((known, piece)) for i, piece in left.items()}
+            kept, call = self.kept, self._calls
+            for i in list(left):
+                found = kept.get(f"{call:04}-{i:04}", keys[i])
+                if found is not None:
+                    take(i, found)
+                    del left[i]
+
+            def keep(i: int, result: Result) -> None:
+                kept.put(f"{call:04}-{i:04}", keys[i], result)
+                take(i, result)
+
+        if self.cluster is not None:
+            self.cluster.run(work, left, shared, keep, len(pieces), progress)
+            return
+        done = len(pieces) - len(left)
+        for i, piece in left.items():
+            step = part(progress, done / len(pieces), (done + 1) / len(pieces))
+            keep(i, work(piece, threads=threads, progress=step, **shared))
+            done += 1
+
+
+_engine: ContextVar[Engine | None] = ContextVar("_engine", default=None)
+
+
+def in_use() -> Engine | None:
+    """The engine that the block around sets; None: this process, and nothing is kept."""
+    return _engine.get()
+
+
+@contextlib.contextmanager
+def using(engine: Engine | None) -> Iterator[None]:
+    """Let an engine make what burns inside the block; None: this process, whatever stands further out."""
+    token = _engine.set(engine)
+    try:
+        yield
+    finally:
+        _engine.reset(token)
+
+
+def spread(
+    work: Work,
+    pieces: Sequence[Any],
+    shared: Mapping[str, Any],
+    *,
+    take: Callable[[int, Result], None],
+    threads: int | None,
+    progress: Progress | None,
+) -> None:
+    """Make pieces of work on the engine in use.
+
+    Parameters
+    ----------
+    work
+        Called as ``work(piece, threads=..., progress=..., **shared)``, it returns arrays by name; `threads` changes the
+        speed only, and `progress` raises to stop it. A function at the top of a module.
+    pieces
+        What tells the parts apart; small.
+    shared
+        What all of them need, by name: sent to each worker once, and not again while its content is the same.
+    take
+        Told the number of each piece and its result as soon as it is made, in any order, on the calling thread.
+    threads
+        See `threads.thread_count`; of the parts that this process makes.
+    progress
+        Told the share done, at least five times a second. If it raises, the work is stopped.
+    """
+    (in_use() or Engine()).run(work, pieces, shared, take, threads, progress or silent)
+
+
+def ranges(n: int, least: int) -> list[tuple[int, int]]:
+    """Split 0 to `n` into ranges of at least `least`, at most `_MOST_PARTS`, whoever will make them.
+
+    Examples
+    --------
+    >>> ranges(20, 8)
+    [(0, 8), (8, 16), (16, 20)]
+    """
+    size = max(least, -(-n // _MOST_PARTS))
+    return [(first, min(first + size, n)) for first in range(0, n, size)]
+
+
+_known: weakref.WeakKeyDictionary[Any, str] = weakref.WeakKeyDictionary()
+
+
+def fingerprint(value: Any) -> str:
+    """Hash of a value by what it holds: arrays, numbers, texts, data classes, and mappings and sequences of them.
+
+    Objects with a method `content` are told by what it returns. Equal values have equal fingerprints in every process
+    of this version of the program.
+
+    Examples
+    --------
+    >>> fingerprint({"a": np.arange(3)}) == fingerprint({"a": np.arange(3)})
+    True
+    >>> fingerprint(1) == fingerprint(1.0)
+    False
+    """
+    digest = hashlib.sha256(__version__.encode())
+    _feed(digest, value)
+    return digest.hexdigest()
+
+
+def _feed(digest: Any, value: Any) -> None:
+    digest.update(type(value).__qualname__.encode() + b"\0")
+    if value is None or isinstance(value, (bool, int, float, str, np.generic)):
+        digest.update(repr(value).encode("utf-8", "surrogateescape") + b"\0")
+    elif isinstance(value, np.ndarray) and value.dtype != object:
+        digest.update(f"{value.dtype.str}{value.shape}".encode())
+        digest.update(np.ascontiguousarray(value).data)
+    elif isinstance(value, os.PathLike):
+        digest.update(os.fsencode(value) + b"\0")
+    elif isinstance(value, Mapping):
+        for key, each in value.items():
+            _feed(digest, key)
+            _feed(digest, each)
+    elif isinstance(value, (list, tuple)):
+        digest.update(str(len(value)).encode())
+        for each in value:
+            _feed(digest, each)
+    elif hasattr(value, "to_numpy") and hasattr(value, "dims"):
+        _feed(digest, [value.dims, value.to_numpy()])
+    elif hasattr(value, "data_vars"):
+        _feed(digest, {name: value[name] for name in value.data_vars} | {"attrs": dict(value.attrs)})
+    elif hasattr(value, "content"):  # what stands for files, or is made of something
+        _feed(digest, value.content())
+    elif is_one_of_a_kind(value):  # large, and never changed: looked at once
+        if value not in _known:
+            _known[value] = fingerprint([getattr(value, each.name) for each in dataclasses.fields(value)])
+        digest.update(_known[value].encode())
+    elif dataclasses.is_dataclass(value):
+        for each in dataclasses.fields(value):
+            _feed(digest, getattr(value, each.name))
+    else:
+        digest.update(pickle.dumps(value))
+
+
+def is_one_of_a_kind(value: Any) -> bool:
+    """Whether a value is a frozen data class whose objects are compared by identity, as networks are."""
+    how: Any = getattr(value, "__dataclass_params__", None)
+    return how is not None and how.frozen and not how.eq
