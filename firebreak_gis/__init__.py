@@ -43,13 +43,13 @@ if TYPE_CHECKING:
     from firebreak_gis.report.mapbook.atlas import read_atlas
     from firebreak_gis.report.page.folder import report_page
     from firebreak_gis.report.plotting import plot
-    from firebreak_gis.simulation.cluster import cluster
     from firebreak_gis.simulation.embers import Embers
     from firebreak_gis.simulation.fires import burn_curve, simulate
     from firebreak_gis.simulation.holding import Hold
     from firebreak_gis.simulation.ignitions import ignition_places
     from firebreak_gis.simulation.products import Products
     from firebreak_gis.simulation.weather_reading import read_weather
+    from firebreak_gis.simulation.workers import cluster
     from firebreak_gis.spread import spread_network, weather_networks
     from firebreak_gis.spread.artificial import forest
     from firebreak_gis.spread.raster import read_network
@@ -65,7 +65,7 @@ _HOMES = {
     "calibrate_scars": "evaluation.calibration",
     "calibrate_sizes": "evaluation.calibration",
     "Cancelled": "errors",
-    "cluster": "simulation.cluster",
+    "cluster": "simulation.workers",
     "compare": "planning.comparison",
     "compartments_of": "construction.compartments",
     "delineate": "construction.delineations",

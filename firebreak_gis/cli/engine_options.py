@@ -25,7 +25,7 @@ def engine(command: F) -> F:
     ) -> Any:
         if not (workers or scheduler or resume) or kwargs.get("dry_run"):
             return command(*args, session=session, **kwargs)
-        from firebreak_gis.simulation.cluster import cluster
+        from firebreak_gis.simulation.workers import cluster
 
         if resume and kwargs["output"] is None:
             raise ParameterError("--resume keeps finished parts beside the output; give --output too")

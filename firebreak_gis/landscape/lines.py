@@ -18,6 +18,7 @@ from firebreak_gis.network import neighbour
 
 if TYPE_CHECKING:
     import geopandas as gpd
+    import xarray as xr
 
     from firebreak_gis.landscape.planes import Source
     from firebreak_gis.network import Residual, SpreadNetwork
@@ -83,6 +84,13 @@ class LineBreaks:
             across = (self.crossed >> d) & 1 > 0
             values[d][across] *= neighbour(kept, d, network.boundary)[across]
         return network.derived(probability=values)
+
+
+def on_cells(
+    network: SpreadNetwork, breaks: np.ndarray | xr.DataArray | LineBreaks | None, what: str
+) -> np.ndarray | LineBreaks | None:
+    """Breaks that have been held against the grid of a network, as they are sent: (rows, cols) bool, or lines."""
+    return breaks if breaks is None or isinstance(breaks, LineBreaks) else network.mask(breaks, what)
 
 
 def line_breaks(source: Source, grid: Grid, *, width: float | str, what: str = "breaks") -> LineBreaks:

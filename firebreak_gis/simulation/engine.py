@@ -27,7 +27,7 @@ from firebreak_gis.progress import part, silent
 if TYPE_CHECKING:
     from firebreak_gis.files.parts import Parts
     from firebreak_gis.progress import Progress
-    from firebreak_gis.simulation.cluster import Cluster
+    from firebreak_gis.simulation.workers import Cluster
 
     Result = Mapping[str, np.ndarray]
     Work = Callable[..., Result]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from firebreak_gis.landscape.lines import LineBreaks
+from firebreak_gis.landscape.lines import on_cells
 from firebreak_gis.lattice import NEVER
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.durations import ENDLESS
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from firebreak_gis.kernels.arrival import Clock, Workspace
     from firebreak_gis.kernels.draws import Thresholds
     from firebreak_gis.kernels.tally import Tally
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.ignitions import Ignitions
     from firebreak_gis.simulation.request import FireRequest
@@ -154,27 +155,14 @@ def burn_timed(
         runs = runs[np.argsort(spells[runs], kind="stable")]
     total = _tally(network, products, request.n_runs, limits, value)
     pieces = [runs[first:last] for first, last in ranges(runs.size, _PART)]
-    spread(
-        timed_part,
-        pieces,
-        {
-            **fires,
-            "request": request.settled(network.grid),
-            "breaks": on_cells(network, breaks, "breaks"),
-            "barriers": on_cells(network, barriers, "barriers"),
-        },
-        take=lambda i, part: take_part(total, pieces[i], part),
-        threads=threads,
-        progress=progress,
-    )
+    fires |= {"request": request.settled(network.grid)}
+    fires |= {name: on_cells(network, fires[name], name) for name in ("breaks", "barriers")}
+
+    def take(i: int, made: Mapping[str, np.ndarray]) -> None:
+        take_part(total, pieces[i], made)
+
+    spread(timed_part, pieces, fires, take=take, threads=threads, progress=progress)
     return total
-
-
-def on_cells(
-    network: SpreadNetwork, breaks: np.ndarray | xr.DataArray | LineBreaks | None, what: str
-) -> np.ndarray | LineBreaks | None:
-    """Breaks that have been held against the grid of a network, as they are sent: (rows, cols) bool, or lines."""
-    return breaks if breaks is None or isinstance(breaks, LineBreaks) else network.mask(breaks, what)
 
 
 def timed_part(piece: np.ndarray, *, threads: int | None, progress: Progress, **fires: Any) -> dict[str, np.ndarray]:

@@ -12,10 +12,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.landscape.lines import LineBreaks
+from firebreak_gis.landscape.lines import LineBreaks, on_cells
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.engine import in_use, ranges, spread
-from firebreak_gis.simulation.timed import on_cells
 from firebreak_gis.threads import run_pieces, thread_count
 
 if TYPE_CHECKING:

@@ -305,7 +305,7 @@ class _Work:
         from firebreak_gis.simulation.fires import limits_of
 
         self.start = start
-        self._request, self._progress = request, progress
+        self._source, self._request, self._progress = source, request, progress
         self._limits, self._spells = limits_of(request, source.weather, start.first_run)
         self._shared: dict[str, Any] = {
             "source": source,

@@ -18,8 +18,8 @@ from firebreak_gis import SpreadNetwork, rank, select_breaks, simulate
 from firebreak_gis.errors import Cancelled, InputError, MissingComponentError, ParameterError, ResourceError
 from firebreak_gis.files.parts import Parts
 from firebreak_gis.placement.trial import Trial
-from firebreak_gis.simulation import cluster as clusters
 from firebreak_gis.simulation import engine
+from firebreak_gis.simulation import workers as clusters
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.fires import burn_curve
 from firebreak_gis.simulation.ground import Ground
@@ -318,7 +318,7 @@ def test_fingerprints_tell_values_apart():
     assert len(set(prints)) == len(prints)
     assert engine.fingerprint(network_of()) == engine.fingerprint(NETWORK)
     code = (
-        "from tests.simulation.test_cluster import *; made = [weather()['weather'], FIRES['lines']['breaks'], NETWORK];"
+        "from tests.simulation.test_workers import *; made = [weather()['weather'], FIRES['lines']['breaks'], NETWORK];"
         "print(engine.fingerprint([*made, FIRES['clock']['residual']]))"
     )
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
