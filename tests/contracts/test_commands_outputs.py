@@ -51,6 +51,7 @@ OWN = {
     "burn": {"duration": "inf"},
     "compare": {"duration": "inf"},
     "evaluate": {"duration": "inf"},
+    "mapbook": {"run": "segments.gpkg"},
 }
 
 

@@ -16,7 +16,7 @@ from qgis.utils import iface, loadPlugin, startPlugin
 
 PROJECT = os.environ["SHOT_PROJECT"]
 PICTURE = os.environ["SHOT_PICTURE"]
-BUDGET, FIRES = 0.02, 100
+BUDGET, FIRES = "2%", 100
 KEPT_DOCKS = ("Layers", "ProcessingToolbox")
 
 
@@ -81,7 +81,7 @@ def show_form():
     layers = {f"INPUT_{n.upper()}": project.mapLayersByName(n)[0].id() for n in ("dem", "vegetation", "density")}
     dialog = processing.createAlgorithmDialog("firebreak:plan", {**layers, "BUDGET": BUDGET, "N_RUNS": FIRES})
     dialog.show()
-    dialog.setGeometry(760, 500, 830, 490)
+    dialog.setGeometry(700, 330, 890, 640)
     for tabs in dialog.findChildren(QTabWidget):
         tabs.setCurrentIndex(0)
     settle(1500, lambda: scroll(dialog))
