@@ -42,6 +42,8 @@ class Need:
 _PLAIN, _COMPILED, _DRAWING = 170_000_000, 285_000_000, 435_000_000
 #: What holds the network and what a planner adds while a ranking works, bytes a cell.
 _NETWORK = 58
+#: Of it, the probabilities.
+_PLANES = 32
 #: Making a network, or reading one, is the peak of each command that has one, unless its work needs more.
 _MAKING, _READING = Need(_COMPILED, 210), Need(_PLAIN, 140)
 #: What travel times add to making a network, and to all else, bytes a cell.
@@ -91,21 +93,23 @@ def bytes_for(
     window
         Side of the windows of the map that are read in turn; None: the map is read as a whole.
     blocks
-        Whether a network is made by blocks of `BLOCK_CELLS`.
+        Whether a network is made by blocks of `BLOCK_CELLS`, or read by them while its probabilities stay on the disk.
     threads
         See `workers.thread_count`.
     """
     n_threads = thread_count(threads)
-    if blocks:
-        cells = min(cells, BLOCK_CELLS)
     if window is not None:
         return _COMPILED + cells * _MAP + n_threads * min(window**2, cells) * _WINDOW
-    stages = list(_STAGES[command])
+    needed = []
+    for stage in _STAGES[command]:
+        together = min(cells, BLOCK_CELLS) if blocks else cells
+        needed.append(stage.bytes(together, n_threads) + clock * together * _times(stage))
+    away = blocks and cells > BLOCK_CELLS
     for name in (method or "").split(","):
         if name:
             cell, thread = memory_of("ranking", name)
-            stages.append(Need(_COMPILED, _NETWORK + cell, thread))
-    needed = [stage.bytes(cells, n_threads) + clock * cells * _times(stage) for stage in stages]
+            work = Need(_COMPILED, _NETWORK - away * _PLANES + cell, thread)
+            needed.append(work.bytes(cells, n_threads) + clock * (not away) * cells * _TIMES)
     return max(needed) + products * cells * (_KEPT + n_threads * _KEPT_THREAD)
 
 

@@ -130,7 +130,8 @@ def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -
         clock=clock,
         products=bool(given.get("products")),
         window=given.get("window"),
-        blocks=work == "network" and not given.get("export") and plugins.halo_of(given["model"]) is not None,
+        blocks=work == "rank"
+        or (work == "network" and not given.get("export") and plugins.halo_of(given["model"]) is not None),
     )
     memory.require_memory(needed, f"firebreak {work} on {rows} x {cols} cells", max_memory=max_memory)
 

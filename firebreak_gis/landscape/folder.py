@@ -13,9 +13,8 @@ from firebreak_gis.files.commit import unfinished
 from firebreak_gis.files.outputs import Output, Writing, write_all
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.fuel import INSTEAD, LAYERS, burnable_cells
-from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.rasters import VariableFile, write_blocks
-from firebreak_gis.rasters.blocks import ROWS
+from firebreak_gis.rasters.blocks import rows_of
 from firebreak_gis.schema import annotate, validate
 
 if TYPE_CHECKING:
@@ -81,12 +80,9 @@ def _layer(name: str, label: str, needs: str = "") -> Output[xr.Dataset]:
 
 def _blocks(dataset: xr.Dataset, name: str) -> Iterator[tuple[int, xr.Dataset]]:
     """Rows of a layer, looked at; all of them together unless there are very many."""
-    rows, cols = dataset.sizes["y"], dataset.sizes["x"]
     # What is wrong with any layer is told before the first is written.
     looked_at = [*LAYERS, *(other for other in INSTEAD if other in dataset)] if name == LAYERS[0] else [name]
-    step = rows if rows * cols <= BLOCK_CELLS else max(BLOCK_CELLS // cols // ROWS, 1) * ROWS
-    for row in range(0, rows, step):
-        part = dataset.isel(y=slice(row, row + step))
+    for row, part in rows_of(dataset):
         validate(part, looked_at)
         yield row, part[[name]]
 

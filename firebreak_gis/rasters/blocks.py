@@ -16,6 +16,7 @@ import numpy as np
 from firebreak_gis.errors import InputError, OutputError, VerificationError
 from firebreak_gis.files import replacing, together
 from firebreak_gis.files.locks import remove_parts
+from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.rasters.opening import open_raster
 from firebreak_gis.rasters.writing import (
     SIDECARS,
@@ -110,6 +111,14 @@ def write_blocks(
         if (variables[0].minimum, variables[0].maximum) == (0, 1) or variables[0].classes:
             write_style(place, np.zeros(0), variables[0], overwrite)
     return place
+
+
+def rows_of(data: xr.Dataset, *, cells: int = BLOCK_CELLS) -> Iterator[tuple[int, xr.Dataset]]:
+    """Blocks of rows of what is there, for `write_blocks`, of about so many cells; all is one block if it has fewer."""
+    rows, cols = data.sizes["y"], data.sizes["x"]
+    step = rows if rows * cols <= cells else max(cells // cols // ROWS, 1) * ROWS
+    for row in range(0, rows, step):
+        yield row, data.isel(y=slice(row, row + step))
 
 
 @contextlib.contextmanager

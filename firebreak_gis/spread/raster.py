@@ -15,17 +15,22 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.errors import CRSError, InputError, ParameterError
+from firebreak_gis.files.scratch import on_disk
 from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import DIRECTIONS
+from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.plugins import parameter
+from firebreak_gis.progress import silent
 from firebreak_gis.rasters import VariableFile, open_raster, variable_bands
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
     import xarray as xr
 
+    from firebreak_gis.progress import Progress
     from firebreak_gis.rasters.reading import Window
 
 
@@ -88,7 +93,10 @@ class NetworkFile:
 
     def read(self, window: Window | None = None) -> SpreadNetwork:
         """Read the network, or a window (row, column, rows, columns) of it."""
-        planes = {name: file.read(window) for name, file in self._files.items()}
+        return self._network(self._files, window)
+
+    def _network(self, files: Mapping[str, VariableFile], window: Window | None) -> SpreadNetwork:
+        planes = {name: file.read(window) for name, file in files.items()}
         values, burnable = _split(planes["spread_probability"])
         grid = self.grid if window is None else self._files["spread_probability"].part(window)
         return SpreadNetwork(
@@ -97,10 +105,50 @@ class NetworkFile:
             boundary=self._boundary or "open",
             crs=grid.crs,
             transform=grid.transform,
-            provenance=_account(self._files),
+            provenance=_account(files),
             travel_time=planes.get("travel_time"),
             heat=planes.get("heat"),
         )
+
+    def on_disk(self, folder: str | Path, *, cells: int = BLOCK_CELLS, progress: Progress = silent) -> SpreadNetwork:
+        """Read the network block by block; its probabilities lie on the disk, 32 B a cell, and it has no times.
+
+        Parameters
+        ----------
+        folder
+            On whose disk they lie, see `files.scratch`.
+        cells
+            Of a block, about.
+        progress
+            Callback (share done, message).
+
+        Returns
+        -------
+        SpreadNetwork
+            Equal to that of `read`, but for the times; read as a whole if only the whole raster tells where fuel is.
+        """
+        rows, cols = self.grid.shape
+        if self._boundary != "open":
+            return self.read()
+        files = {"spread_probability": self._files["spread_probability"]}
+        probability = on_disk(folder, (8, rows, cols), np.float32)
+        burnable = np.zeros((rows, cols), bool)
+        step = max(cells // cols, 1)
+        for row in range(0, rows, step):
+            progress(row / rows, "reading the network")
+            # Edges end where there is no fuel, so that a row more on each side is looked at.
+            top, stop = max(row - 1, 0), min(row + step, rows)
+            part = self._network(files, (top, 0, min(stop + 1, rows) - top, cols))
+            own = slice(row - top, stop - top)
+            probability[:, row:stop], burnable[row:stop] = part.probability[:, own], part.burnable[own]
+        for array in (probability, burnable):
+            array.flags.writeable = False
+        # The blocks were looked at; the constructor would copy them into memory.
+        network = object.__new__(SpreadNetwork)
+        planes = {"probability": probability, "burnable": burnable, "boundary": "open", "grid": self.grid}
+        for name, value in {**planes, "provenance": {}, "travel_time": None, "heat": None}.items():
+            object.__setattr__(network, name, value)
+        return network
 
     def fuel(self, window: Window) -> np.ndarray:
         """Read which cells of a window hold fuel, (rows, cols) bool.
@@ -130,7 +178,7 @@ def probability(
     return _split(planes["spread_probability"])[0], planes.get("travel_time"), planes.get("heat"), _account(files)
 
 
-def _account(files: dict[str, VariableFile]) -> dict[str, Any]:
+def _account(files: Mapping[str, VariableFile]) -> dict[str, Any]:
     """What the tags of a network with times tell of it."""
     if "travel_time" not in files:
         return {}

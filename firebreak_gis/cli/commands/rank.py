@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import click
@@ -13,6 +14,7 @@ from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
+from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.planning.request import DesignRequest
 from firebreak_gis.simulation.request import FireRequest
 
@@ -49,7 +51,8 @@ def command(
     """Rank the cells of NETWORK by the order in which they should be cut: higher is earlier.
 
     The ranking is the one that firebreak plan makes for the same budget, leak, width, terrain and barriers. Methods
-    that lay a pattern for the budget give another ranking for another one; the file tells firebreak breaks.
+    that lay a pattern for the budget give another ranking for another one; the file tells firebreak breaks. Of networks
+    of more than 4 million cells the probabilities stay on the disk, beside the output.
     """
     from firebreak_gis.files import require_writable
     from firebreak_gis.manifest import provenance
@@ -57,12 +60,15 @@ def command(
     from firebreak_gis.planning.feasibility import feasibility, width_in_cells
     from firebreak_gis.planning.timing import Estimate, ranking_seconds
     from firebreak_gis.progress import part
-    from firebreak_gis.rasters import files_behind, write_raster
-    from firebreak_gis.spread.raster import read_network
+    from firebreak_gis.rasters import files_behind, write_blocks
+    from firebreak_gis.rasters.blocks import rows_of
+    from firebreak_gis.spread.raster import NetworkFile
 
     inputs = files_behind(input_files([network, dem, *fires.sources, *at_stake.sources]))
     require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
-    untouched = read_network(network)
+    file = NetworkFile(network)
+    large = file.grid.shape[0] * file.grid.shape[1] > BLOCK_CELLS
+    untouched = file.on_disk(Path(output.output).parent) if large else file.read()
     planes, _ = read_stakes(at_stake, session, grid=untouched.grid, fuel=untouched.burnable, ignitions=fires.ignitions)
     elevation = ridges(dem, untouched.grid)
     sited = siting.on(planes, untouched, elevation)
@@ -93,9 +99,10 @@ def command(
         "made_for": priority.attrs.get("made_for"),
     }
     parameters = {"method": asked.method, "method_params": asked.method_params}
-    write_raster(
+    write_blocks(
         output.output,
-        priority,
+        rows_of(priority.to_dataset().assign_attrs(priority.attrs)),
+        barred.grid,
         overwrite=output.overwrite,
         forbid=inputs,
         provenance=provenance(parameters | {k: v for k, v in shaped.items() if v}, seed=fires.seed),

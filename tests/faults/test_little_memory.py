@@ -1,0 +1,53 @@
+"""Two million cells from layers to fires and a ranking, in half the memory that they need as a whole."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+import rasterio
+
+from tests.benchmarks.landscapes import write_layers
+
+#: Memory that the steps are given [bytes], and what is not enough for the network with a clock as a whole.
+LIMIT, TOO_LITTLE = 490_000_000, 950_000_000
+SIDE = 1415
+
+#: Runs a command with a limit to its memory, and with blocks of so many cells. What lies in files is not counted.
+RUN = """
+import resource, sys
+limit, cells = int(sys.argv[1]), int(sys.argv[2])
+resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
+from firebreak_gis import memory
+memory.BLOCK_CELLS = cells
+from firebreak_gis.cli import main
+sys.argv = ["firebreak", *sys.argv[3:]]
+main()
+"""
+
+
+def run(*words, limit=LIMIT, cells=100_000):
+    environment = {**os.environ, "FIREBREAK_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "GDAL_CACHEMAX": "32"}
+    command = [sys.executable, "-c", RUN, str(limit), str(cells), *map(str, words), "--quiet"]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only Linux limits what a process allocates")
+def test_two_million_cells_in_half_the_memory(tmp_path):
+    network, land = tmp_path / "network.tif", tmp_path / "land"
+    clock = ("network", land, "--clock", "--wind-speed", 4, "--wind-from", 300, "-o", network)
+    steps = [
+        ("align", *write_layers(tmp_path / "layers", SIDE), "-o", land),
+        clock,
+        ("burn", network, "--window", 128, "--duration", "2h", "--runs", 20, "-o", tmp_path / "burnt.tif"),
+        ("rank", network, "--method", "bonacich", "-o", tmp_path / "priority.tif"),
+    ]
+    for step in steps:
+        done = run(*step)
+        assert done.returncode == 0, (step[0], done.stderr[-2000:])
+    with rasterio.open(tmp_path / "priority.tif") as priority, rasterio.open(tmp_path / "burnt.tif") as burnt:
+        assert priority.shape == burnt.shape == (SIDE, SIDE)
+        assert burnt.read(1).max() > 0
+    assert run(*clock[:-1], tmp_path / "whole.tif", limit=TOO_LITTLE, cells=10**9).returncode != 0
