@@ -20,6 +20,7 @@ from firebreak_gis.landscape import read_surveyed, survey, write_landscape
 from firebreak_gis.landscape.grid_part import GridPart
 from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.strips import read_by_parts, windows
+from firebreak_gis.rasters.blocks import rows_of
 from firebreak_gis.rasters.nodata import Extremes, undeclared_nodata
 
 UTM = "EPSG:32635"
@@ -214,8 +215,8 @@ def test_align_by_parts_writes_what_align_writes(tmp_path, monkeypatch):
     files = layers(tmp_path)
     run = CliRunner()
     assert run.invoke(firebreak, ["align", *files, "-o", str(tmp_path / "whole"), "--quiet"]).exit_code == 0
-    for place in ("cli.layers", "landscape.folder"):
-        monkeypatch.setattr(f"firebreak_gis.{place}.BLOCK_CELLS", 900)
+    monkeypatch.setattr("firebreak_gis.cli.layers.BLOCK_CELLS", 900)
+    monkeypatch.setitem(rows_of.__kwdefaults__, "cells", 900)
     monkeypatch.setitem(read_by_parts.__kwdefaults__, "cells", 900)
     done = run.invoke(firebreak, ["align", *files, "-o", str(tmp_path / "parts"), "--quiet"])
     assert done.exit_code == 0, done.output
@@ -233,8 +234,7 @@ def test_a_landscape_is_written_by_rows_as_in_one(tmp_path, monkeypatch):
     request = asked(layers(tmp_path))
     landscape = read_surveyed(request, survey(request))
     write_landscape(landscape, tmp_path / "whole")
-    monkeypatch.setattr("firebreak_gis.landscape.folder.BLOCK_CELLS", 900)
-    monkeypatch.setattr("firebreak_gis.landscape.folder.ROWS", 16)
+    monkeypatch.setitem(rows_of.__kwdefaults__, "cells", 900)
     monkeypatch.setattr("firebreak_gis.rasters.blocks.ROWS", 16)
     write_landscape(landscape, tmp_path / "rows")
     for name in ("elevation", "vegetation", "density"):

@@ -16,8 +16,9 @@ from firebreak_gis.cli import firebreak
 from firebreak_gis.landscape.folder import LandscapeFolder, read_landscape_folder, write_landscape
 from firebreak_gis.planning.blocks import NetworkBlocks
 from firebreak_gis.planning.weather import SpreadRequest
-from firebreak_gis.rasters.blocks import ROWS
+from firebreak_gis.rasters.blocks import ROWS, rows_of
 from firebreak_gis.spread import spread_network
+from firebreak_gis.spread.raster import NetworkFile
 
 
 @pytest.fixture(scope="module")
@@ -104,3 +105,53 @@ def test_what_has_no_windows_is_refused(folder, tmp_path):
         assert done.exit_code == 2 or done.exit_code == 3, done.output
         assert text in done.output
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("method", ["degree", "bonacich", "flammability", "dissection"])
+def test_a_network_that_stays_on_the_disk_is_ranked_alike(folder, tmp_path, monkeypatch, method):
+    net = str(tmp_path / "net.tif")
+    made = CliRunner().invoke(firebreak, ["network", str(folder), "-o", net, "--wind-speed", "4", "--wind-from", "90"])
+    assert made.exit_code == 0, made.output
+    whole = NetworkFile(net).read()
+    parts = NetworkFile(net).on_disk(tmp_path, cells=5000)
+    assert isinstance(parts.probability.base, np.memmap) or isinstance(parts.probability, np.memmap)
+    np.testing.assert_array_equal(parts.probability, whole.probability)
+    np.testing.assert_array_equal(parts.burnable, whole.burnable)
+    assert parts.grid == whole.grid
+    out = [str(tmp_path / name) for name in ("whole.tif", "disk.tif")]
+    for path, cells in zip(out, (10**9, 3000), strict=True):
+        monkeypatch.setattr("firebreak_gis.cli.commands.rank.BLOCK_CELLS", cells)
+        monkeypatch.setitem(rows_of.__kwdefaults__, "cells", cells)
+        done = CliRunner().invoke(firebreak, ["rank", net, "-o", path, "--method", method])
+        assert done.exit_code == 0, done.output
+    with rasterio.open(out[0]) as one, rasterio.open(out[1]) as other:
+        np.testing.assert_array_equal(one.read(), other.read())
+        assert (one.tags(), one.tags(1), one.profile) == (other.tags(), other.tags(1), other.profile)
+    assert sorted(each.name for each in tmp_path.iterdir() if each.suffix == ".tif") == [
+        "disk.tif",
+        "net.tif",
+        "whole.tif",
+    ]
+
+
+def test_rows_of_a_network_end_at_its_borders_alike(tmp_path):
+    """Edges that leave the map or enter bare ground are taken out of blocks as out of the whole."""
+    random = np.random.default_rng(2)
+    probability = random.random((8, 37, 29)).astype(np.float32)
+    bare = random.random((37, 29)) < 0.2
+    network = fb.SpreadNetwork(probability, burnable=~bare)
+    path = fb.write_raster(tmp_path / "net.tif", network.to_raster())
+    for cells in (29, 100, 10_000):
+        found = NetworkFile(path).on_disk(tmp_path, cells=cells)
+        np.testing.assert_array_equal(found.probability, network.probability)
+        np.testing.assert_array_equal(found.burnable, network.burnable)
+        assert not found.probability.flags.writeable
+
+
+def test_ranking_on_the_disk_asks_for_less_memory():
+    cells = 100_000_000
+    whole = memory.bytes_for("rank", cells, method="dissection", threads=1)
+    disk = memory.bytes_for("rank", cells, method="dissection", threads=1, blocks=True)
+    assert whole - disk == 32 * cells
+    few = memory.BLOCK_CELLS
+    assert memory.bytes_for("rank", few, method="degree", blocks=True) == memory.bytes_for("rank", few, method="degree")
