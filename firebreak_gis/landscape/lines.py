@@ -6,7 +6,7 @@ of the land is its length times its width.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -46,6 +46,8 @@ class LineBreaks:
     along
         (rows, cols) float32 [m]: how far from the beginning of that line this is. The parts of a multiline are one
         line, the gaps between them count.
+    whole
+        (rows, cols) float32 [m]: how long that line is.
     grid
         The grid.
     """
@@ -55,6 +57,7 @@ class LineBreaks:
     width: np.ndarray
     line: np.ndarray
     along: np.ndarray
+    whole: np.ndarray
     grid: Grid
 
     @property
@@ -65,14 +68,18 @@ class LineBreaks:
     def part(self, rows: slice, cols: slice, grid: Grid) -> LineBreaks:
         """Return the breaks on a window of the grid."""
         here = rows, cols
-        return LineBreaks(self.lines, self.crossed[here], self.width[here], self.line[here], self.along[here], grid)
+        planes = {name: getattr(self, name)[here] for name in ("crossed", "width", "line", "along", "whole")}
+        return replace(self, **planes, grid=grid)
 
     def stretches(self, length: float) -> np.ndarray:
-        """Number of the stretch of `length` metres along its line in which each cell lies, (rows, cols) uint32, even.
+        """Number of the stretch along its line in which each cell lies, (rows, cols) uint32, even.
 
-        Numbers follow from the line alone: lines that come later change none.
+        A line has as many equal stretches as come nearest to `length` metres, so that all lines together have about one
+        for each `length`. Numbers follow from the line alone: lines that come later change none.
         """
-        steps = np.floor(self.along / length).astype(np.uint32)
+        count = np.maximum(np.rint(self.whole / length), 1.0)
+        share = self.along / np.maximum(self.whole, np.float32(1e-30))
+        steps = np.minimum(np.floor(share * count), count - 1).astype(np.uint32)
         return np.asarray((self.line + steps * _STEP) & ~np.uint32(1), np.uint32)
 
     def parted(self, network: SpreadNetwork, *, residual: Residual = 0.0) -> SpreadNetwork:
@@ -155,7 +162,9 @@ def line_breaks(source: Source, grid: Grid, *, width: float | str, what: str = "
     return LineBreaks(lines, *found, grid)
 
 
-def links_crossed(lines: gpd.GeoDataFrame, grid: Grid) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def links_crossed(
+    lines: gpd.GeoDataFrame, grid: Grid
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Find the links between neighbouring cells that lines cross.
 
     Links run straight from centre to centre, also to the four diagonal neighbours. A line that touches a centre or
@@ -175,8 +184,8 @@ def links_crossed(lines: gpd.GeoDataFrame, grid: Grid) -> tuple[np.ndarray, np.n
         (rows, cols) uint8, see `LineBreaks`.
     width
         (rows, cols) float32, see there; 0 without the column.
-    line, along
-        (rows, cols) uint32 and float32, see there.
+    line, along, whole
+        (rows, cols) uint32, float32 and float32, see there.
     """
     import shapely
 
@@ -194,7 +203,8 @@ def links_crossed(lines: gpd.GeoDataFrame, grid: Grid) -> tuple[np.ndarray, np.n
     crossed, width = np.zeros(grid.shape, np.uint8), np.zeros(grid.shape, np.float32)
     piece = np.full(grid.shape, -1, np.int64)
     cross_links(pieces, metres[feature[joined]], crossed, width, piece)
-    line, along = np.zeros(grid.shape, np.uint32), np.zeros(grid.shape, np.float32)
+    line = np.zeros(grid.shape, np.uint32)
+    along, length = np.zeros(grid.shape, np.float32), np.zeros(grid.shape, np.float32)
     at = np.nonzero(piece >= 0)
     if at[0].size:
         of = piece[at]
@@ -202,9 +212,11 @@ def links_crossed(lines: gpd.GeoDataFrame, grid: Grid) -> tuple[np.ndarray, np.n
         step = np.hypot(*(end - begin).T)
         centre = np.column_stack(at[::-1]) + 0.5
         share = np.clip(((centre - begin) * (end - begin)).sum(axis=1) / step**2, 0.0, 1.0)
-        line[at] = _marks(whole, feature)[feature[joined[of]]]
-        along[at] = (_run(places, feature)[joined[of]] + share * step) * grid.cell_size
-    return crossed, width, line, along
+        own, run = feature[joined[of]], _run(places, feature)
+        line[at] = _marks(whole, feature)[own]
+        along[at] = (run[joined[of]] + share * step) * grid.cell_size
+        length[at] = run[np.searchsorted(feature, own, "right") - 1] * grid.cell_size
+    return crossed, width, line, along, length
 
 
 def _marks(whole: np.ndarray, feature: np.ndarray) -> np.ndarray:

@@ -195,7 +195,7 @@ def _drawn(
     from firebreak_gis.placement.dissection import sequence
 
     grid = network.grid
-    often = [all_hold(hold, np.ceil(cut.length * grid.cell_size / hold.length)) if fails else 1.0 for cut in cuts]
+    often = [all_hold(hold, round(cut.length * grid.cell_size / hold.length)) if fails else 1.0 for cut in cuts]
     order = sequence(
         [cut.saved * share for cut, share in zip(cuts, often, strict=True)],
         [cut.cost for cut in cuts],

@@ -4,9 +4,9 @@
 says that a stretch of a break holds in a run or is as if it had not been cut. Both may be asked: what holds may leak.
 
 A stretch of cells is the part of a break inside one block of the map, `length` metres wide and high; breaks in the same
-block hold or fail together. A stretch of a line is `length` metres along it. Neither depends on what else is cut, or on
-lines that come later. A cell of a larger plan therefore holds in the very runs in which it holds in a smaller one, and
-cutting more never lets any cell burn earlier.
+block hold or fail together. A stretch of a line is about `length` metres along it. Neither depends on what else is
+cut, or on lines that come later. A cell of a larger plan therefore holds in the very runs in which it holds in a
+smaller one, and cutting more never lets any cell burn earlier.
 
 Half of the fires that meet a break pass it: 46.9 % of 563 encounters held in Ortega et al. 2024, 46 % in Syphard et al.
 2011 (doi 10.1071/WF10089).

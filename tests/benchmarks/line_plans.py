@@ -51,7 +51,8 @@ def along_walls(network: fb.SpreadNetwork, stakes: fb.Stakes, length: float) -> 
         row, col = np.divmod(wall, network.shape[1])
         run = size * np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(row), np.diff(col)))])
         new = ~seen[wall]
-        stretch[wall[new]] = 1000 * k + np.floor(run[new] / length) + 1
+        count = max(round(run[-1] / length), 1)
+        stretch[wall[new]] = 1000 * k + np.minimum(np.floor(run[new] / max(run[-1], 1.0) * count), count - 1) + 1
         seen[wall] = True
         cells.append(wall[new & network.burnable.ravel()[wall]])
     return np.concatenate(cells), stretch.reshape(network.shape)

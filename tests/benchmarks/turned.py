@@ -2,7 +2,8 @@
 
 The landscape, its wind and the places where fires start are turned together, by 30 and 45 degrees; the lattice is not.
 What then differs is the lattice's doing: that of the walls, and that of the fires, which are told apart by the burnt
-area without breaks. Whole cells are beside the lines. The last column is the standard error of what is saved.
+area without breaks. Whole cells are beside the lines. The last column is the standard error of what is saved. At last
+comes the length of line that saves some shares of the burnt area, read off the plans of several budgets.
 """
 
 from __future__ import annotations
@@ -25,6 +26,9 @@ from firebreak_gis.progress import silent
 from firebreak_gis.stakes import Stakes
 
 WIND, FROM, RUNS, HOURS = 5.0, 315.0, 300, 8
+#: Budgets, as shares of the fuel times width / cell size, and shares saved for which the length is told, by hold.
+STEPS = (0.01, 0.02, 0.03, 0.04, 0.06, 0.08, 0.12)
+LEVELS = {1.0: (0.6, 0.8, 0.9), 0.47: (0.1, 0.2, 0.3)}
 
 
 def turned(landscape: xr.Dataset, angle: float) -> tuple[xr.Dataset, Affine]:
@@ -65,6 +69,29 @@ def points_on(network: fb.SpreadNetwork, places: np.ndarray, there: Affine) -> t
     return gpd.GeoDataFrame(geometry=points), fuel
 
 
+def told_length(
+    network: fb.SpreadNetwork,
+    timed: fb.SpreadNetwork,
+    stakes: Stakes,
+    starts: gpd.GeoDataFrame,
+    asked: argparse.Namespace,
+    angle: float,
+) -> None:
+    """Print the kilometres of line that save some shares of the burnt area."""
+    budgets = [Budget(step * asked.width / network.grid.cell_size) for step in STEPS]
+    lines = design_lines(network, stakes=stakes, budget=budgets[-1], width=asked.width)
+    length = [lines.walls["length_m"].iloc[: lines.bought(budget)].sum() / 1000.0 for budget in budgets]
+    for hold, levels in LEVELS.items():
+        fires = {"ignitions": starts, "n_runs": asked.runs, "duration": f"{HOURS}h", "hold": hold, "seed": 1}
+        before = fb.simulate(timed, **fires)["fire_size"].mean()
+        after = [fb.simulate(timed, breaks=lines.breaks(budget), **fires)["fire_size"].mean() for budget in budgets]
+        saved = [0.0, *(float(1 - each / before) for each in after)]
+        km = np.interp(levels, saved, [0.0, *length])
+        print(
+            f"{angle:g} hold {hold:g}: km that save", dict(zip(levels, km.round(1).tolist(), strict=True)), flush=True
+        )
+
+
 def main() -> None:
     """Print the table."""
     parser = argparse.ArgumentParser()
@@ -95,6 +122,7 @@ def main() -> None:
         length = np.cumsum([cuts[i].length for i in order]) * network.grid.cell_size / 1000.0
         needed = [np.append(length, np.nan)[np.searchsorted(closed, part)] for part in (0.5, 0.9, 0.98, 0.995)]
         print(f"{angle:g}: km of line for .5, .9, .98, .995 of the expected loss:", np.round(needed, 2))
+        told_length(network, timed, stakes, starts, asked, angle)
         for budget in asked.budgets:
             lines = design_lines(network, stakes=stakes, budget=Budget(budget), width=asked.width)
             cells = fb.select_breaks(fb.rank(network, budget=budget), budget=budget, burnable=network.burnable)

@@ -119,5 +119,5 @@ def _note(atlas: Atlas, own: list[int]) -> str:
     return (
         f"{which} Build in that order; segments of one stage work only together. What each saves is its share of the "
         "expected loss (how likely fires start, times what could burn) that all breaks together avoid. Lines run "
-        "through the middle of the cells; the pale red strip is what to treat. Scales hold when printed at 100 %."
+        "in the middle of the pale red strips, which are what to treat. Scales hold when printed at 100 %."
     )
