@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,7 +13,15 @@ from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.schema import Shown
 
 if TYPE_CHECKING:
+    from typing import Protocol
+
     import xarray as xr
+
+    class Existing(Protocol):
+        """Breaks that stand, see `landscape.existing`."""
+
+        def mask(self, shape: tuple[int, int]) -> np.ndarray:
+            """(rows, cols) bool: the cells of all."""
 
     Plane = np.ndarray | xr.DataArray
 
@@ -35,6 +43,8 @@ class StakePlanes:
         As in `Stakes`.
     unpriced
         (rows, cols), true where cutting has no known cost, so that nothing is cut.
+    existing
+        Breaks that stand already, which hold fuel that grows back; designs take them for barriers.
     objectives
         By name, (rows, cols) each: what is at risk, unweighted, of which `value` is the weighted sum.
     """
@@ -49,6 +59,7 @@ class StakePlanes:
     ignition: Plane | None = None
     difficulty: Plane | None = None
     unpriced: np.ndarray | None = None
+    existing: Existing | None = None
     objectives: Mapping[str, Plane] = field(default_factory=dict)
 
     def followed(self, network: SpreadNetwork) -> np.ndarray | None:
@@ -57,10 +68,20 @@ class StakePlanes:
         masks = [network.mask(plane, name) for name, plane in given if plane is not None]
         return np.logical_or.reduce(masks).astype(np.float64) if masks else None
 
+    def barred(self, network: SpreadNetwork) -> SpreadNetwork:
+        """Put the barriers into a network."""
+        return network if self.barriers is None else with_barriers(network, self.barriers)
+
+    def standing(self, network: SpreadNetwork) -> np.ndarray | None:
+        """(rows, cols) bool: cells of the existing breaks; None where none are given."""
+        return None if self.existing is None else self.existing.mask(network.shape)
+
     def on(self, network: SpreadNetwork) -> tuple[SpreadNetwork, Stakes]:
-        """Put the barriers into a network, and the rest into its `Stakes`."""
-        if self.barriers is not None:
-            network = with_barriers(network, self.barriers)
+        """Put the barriers and the existing breaks into a network, and the rest into its `Stakes`."""
+        network = self.barred(network)
+        standing = self.standing(network)
+        if standing is not None:
+            network = with_barriers(network, standing)
         protected = self.protected
         if self.unpriced is not None:
             protected = self.unpriced | (False if protected is None else network.mask(protected, "protected"))
@@ -221,6 +242,16 @@ def checked_amounts(network: SpreadNetwork, data: Plane, what: str) -> np.ndarra
         if not np.isfinite(values.sum()):
             raise InputError(f"{what} goes up to {values.max():g}, its sum is infinite; take a greater unit")
     return values
+
+
+def beside(cut: Any, standing: np.ndarray | None) -> Any:
+    """Breaks, and cells of breaks that stand already, (rows, cols) bool; None for none.
+
+    Where none stand, breaks of any kind stay what they are; beside others they are cells.
+    """
+    if standing is None or not standing.any():
+        return cut
+    return standing if cut is None else standing | (np.asarray(cut) > 0)
 
 
 def with_barriers(network: SpreadNetwork, barriers: Plane) -> SpreadNetwork:

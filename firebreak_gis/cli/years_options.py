@@ -28,9 +28,19 @@ return_interval = click.option(
 )
 
 
+existing = click.option(
+    "--existing",
+    type=kinds.RASTER_OR_VECTOR,
+    metavar="BREAKS",
+    help="Breaks that stand already (lines, polygons, or a raster of which each connected piece is one): fires meet "
+    "them with and without the plan, they fail as new ones do, and their fuel grows back unless they are kept up.",
+)
+
+
 def calendar(command: F) -> F:
-    """--years, --budget-per-year, --fires-per-year, --discount, --return-interval, --upkeep-cost."""
+    """--existing, --years, --budget-per-year, --fires-per-year, --discount, --return-interval, --upkeep-cost."""
     options = [
+        existing,
         click.option(
             "--years",
             type=kinds.COUNT,

@@ -152,6 +152,7 @@ def mean_rates(polygons: gpd.GeoDataFrame, codes: xr.DataArray, intervals: Mappi
     from rasterio.features import rasterize
 
     from firebreak_gis.grid import Grid
+    from firebreak_gis.landscape.footprints import footprints
 
     n = len(polygons)
     if not n:
@@ -160,5 +161,13 @@ def mean_rates(polygons: gpd.GeoDataFrame, codes: xr.DataArray, intervals: Mappi
     shapes = zip(polygons.geometry, range(1, n + 1), strict=True)
     owner = rasterize(shapes, grid.shape, transform=grid.transform, dtype="int32").ravel()
     rates = upkeep_rates(codes.to_numpy(), intervals).ravel()
-    cells = np.maximum(np.bincount(owner, minlength=n + 1)[1:], 1)
-    return np.asarray(np.bincount(owner, weights=rates, minlength=n + 1)[1:] / cells)
+    cells = np.bincount(owner, minlength=n + 1)[1:]
+    mean = np.bincount(owner, weights=rates, minlength=n + 1)[1:] / np.maximum(cells, 1)
+    if (cells == 0).any():  # narrower than a cell: by the area in each
+        prints = footprints(polygons, grid)
+        area, total = (
+            np.bincount(prints.feature, weights=weight, minlength=n)
+            for weight in (prints.part, prints.part * rates[prints.cell])
+        )
+        mean = np.where(cells > 0, mean, total / np.maximum(area, 1e-300))
+    return np.asarray(mean)

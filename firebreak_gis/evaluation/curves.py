@@ -42,7 +42,7 @@ class ByBudget:
         Returns them for a budget, a share of the fuel; None for none.
     """
 
-    breaks: Callable[[float], LineBreaks | None]
+    breaks: Callable[[float], LineBreaks | np.ndarray | xr.DataArray | None]
 
 
 Test = Literal["wilcoxon", "ranksum", "t"]

@@ -41,6 +41,13 @@ class Existing(Shown):
     def __len__(self) -> int:
         return len(self.cells)
 
+    def mask(self, shape: tuple[int, int]) -> np.ndarray:
+        """(rows, cols) bool: the cells of all."""
+        plane = np.zeros(shape, bool)
+        for own in self.cells:
+            plane.ravel()[own] = True
+        return plane
+
     def facts(self) -> dict[str, object]:
         """How many and how long, as `repr` and notebooks show them."""
         taken = np.unique(np.concatenate(self.cells)).size if self.cells else 0

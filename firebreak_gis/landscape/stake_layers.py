@@ -19,6 +19,7 @@ import numpy as np
 from firebreak_gis.errors import FirebreakError, InputError, ParameterError, raise_together
 from firebreak_gis.landscape.alignment import MaskRule
 from firebreak_gis.landscape.amounts import ValuesAs, cost_per_hectare, value_at_risk
+from firebreak_gis.landscape.existing import existing_breaks
 from firebreak_gis.landscape.masks import mask_plane
 from firebreak_gis.landscape.planes import ignition_source
 from firebreak_gis.landscape.target_grid import Account
@@ -118,6 +119,8 @@ class StakesRequest:
         Whether a cell is kept if any part of it is protected or not allowed, or only if its centre is.
     barriers
         Existing breaks, roads, rivers that stop fire.
+    existing
+        Breaks that stand already, one by one; they fail as new ones do, and their fuel grows back.
     roads, rivers
         Roads and tracks, and water, beside which breaks are easier to build and to hold, see `landscape.siting`.
     values, values_field
@@ -136,6 +139,7 @@ class StakesRequest:
     aoi: str | None = None
     protected_rule: ProtectedRule = "every-part"
     barriers: str | None = None
+    existing: str | None = None
     roads: str | None = None
     rivers: str | None = None
     values: str | None = None
@@ -151,7 +155,7 @@ class StakesRequest:
     @property
     def layers(self) -> dict[str, str]:
         """Names of files, by field."""
-        named = {name: getattr(self, name) for name in ("cost", *MASKS, "values")}
+        named = {name: getattr(self, name) for name in ("cost", *MASKS, "existing", "values")}
         known = {name: source for name, source in named.items() if isinstance(source, str) and source}
         return known | {f"value {layer.name}": layer.source for layer in self.value_layers}
 
@@ -191,12 +195,14 @@ class StakesRequest:
         """
         account = Account() if account is None else account
         rules = {**MASKS, **(CENTRES if self.protected_rule == "centre" else {})}
-        readers: dict[str, Callable[[], np.ndarray]] = {}
+        readers: dict[str, Callable[[], Any]] = {}
         for name, rule in rules.items():
             if source := getattr(self, name):
                 readers[name] = partial(
                     mask_plane, source, grid, what=name, rule=rule, solid=name == "barriers", account=account
                 )
+        if self.existing:
+            readers["existing"] = partial(existing_breaks, self.existing, grid, what="existing", account=account)
         if self.cost or self.cost_default is not None:
             readers["cost"] = lambda: self._cost(grid, landscape, account)
         if self.values:
@@ -214,7 +220,7 @@ class StakesRequest:
             )
         if ignitions is not None and not is_vector(ignitions):
             readers["ignition"] = lambda: ignition_source(ignitions, grid, account)
-        planes: dict[str, np.ndarray] = {}
+        planes: dict[str, Any] = {}
         problems: list[FirebreakError] = []
         for name, read in readers.items():
             try:

@@ -15,6 +15,7 @@ from firebreak_gis.progress import part, silent
 from firebreak_gis.simulation.ignitions import Ignitions
 from firebreak_gis.simulation.products import Products
 from firebreak_gis.simulation.timed import Spaces, burn_timed, containment, made_ready
+from firebreak_gis.stakes import beside
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
@@ -50,6 +51,8 @@ class Trial:
         Of the design.
     threads
         Threads to use; changes the speed only.
+    standing
+        (rows, cols) bool: cells of breaks that stand already; None for none.
     """
 
     ground: Ground
@@ -57,6 +60,7 @@ class Trial:
     stakes: Stakes
     seed: int
     threads: int | None = None
+    standing: np.ndarray | None = None
 
     def under(self, residual: float) -> Trial:
         """The same fires against breaks of another leak."""
@@ -124,7 +128,11 @@ class Trial:
         request = replace(self.fires, n_runs=n_runs, seed=seed_for(self.seed, "design"), ignitions=None)
         start = self._start(n_runs, first_run)
         limits, _ = limits_of(request, None if ground.weather is None else ground.weather.weather, first_run)
-        burnt: dict[str, Any] = {"breaks": cut, "barriers": ground.barriers, "weather": ground.weather}
+        burnt: dict[str, Any] = {
+            "breaks": beside(cut, self.standing),
+            "barriers": ground.barriers,
+            "weather": ground.weather,
+        }
         if request.crews is not None:
             contained, _ = containment(ground.network, request, start, limits, threads=self.threads, **burnt)
             limits = np.minimum(limits, contained)

@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.evaluation.curves import evaluate_fires
+from firebreak_gis.breaks import select_breaks
+from firebreak_gis.evaluation.curves import ByBudget, evaluate_fires
 from firebreak_gis.planning.budgets import default_budgets, few_budgets
 from firebreak_gis.planning.timing import fire_seconds, ranking_seconds
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.ranking import rank
 from firebreak_gis.simulation.fires import burn
 from firebreak_gis.simulation.ground import Ground
+from firebreak_gis.stakes import beside
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -87,14 +89,14 @@ def burnt_with(design: Design, judged: Judging, spans: Mapping[str, tuple[float,
 
 
 def fires_of(setting: Setting, judged: Judging) -> Callable[[Laid, np.ndarray | None, Progress], xr.Dataset]:
-    """Burn those fires with any breaks: ``(breaks, value, progress)`` to what `simulate` returns."""
+    """Burn those fires with any breaks beside those that stand: ``(breaks, value, progress)``, as `simulate` does."""
     ground = setting.ground
 
     def fires(breaks: Laid, value: np.ndarray | None, progress: Progress = silent) -> xr.Dataset:
         return burn(
             ground.network,
             judged.fires,
-            breaks=breaks,
+            breaks=beside(breaks, setting.standing),
             value=value,
             weather=ground.weather,
             barriers=ground.barriers,
@@ -126,7 +128,7 @@ def _curves(
         return paper, paper
     evaluation = evaluate_fires(
         setting.network,
-        rankings,
+        {name: _beside_standing(ranked, setting) for name, ranked in rankings.items()},
         judged.fires,
         budgets=design.budgets(few_budgets),
         ground=setting.ground,
@@ -134,6 +136,14 @@ def _curves(
         progress=part(progress, *spans["curve"], "evaluate with a clock: "),
     )
     return paper, evaluation
+
+
+def _beside_standing(ranked: xr.DataArray | ByBudget, setting: Setting) -> xr.DataArray | ByBudget:
+    """What a curve burns: where breaks stand already, the cells of each budget with them."""
+    network, standing = setting.network, setting.standing
+    if standing is None or isinstance(ranked, ByBudget):
+        return ranked
+    return ByBudget(lambda budget: beside(select_breaks(ranked, budget=budget, burnable=network.burnable), standing))
 
 
 def _baselines(method: str) -> list[str]:

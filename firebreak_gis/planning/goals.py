@@ -17,7 +17,7 @@ import numpy as np
 
 from firebreak_gis.evaluation.measures import BOUNDS, WORST, resamples, worst_mean
 from firebreak_gis.progress import Progress, part
-from firebreak_gis.stakes import Stakes
+from firebreak_gis.stakes import Stakes, beside
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -57,6 +57,7 @@ def for_worst_tenth(
     ground: Ground,
     *,
     value: np.ndarray | None = None,
+    standing: np.ndarray | None = None,
     threads: int | None = None,
     progress: Progress,
 ) -> D:
@@ -74,6 +75,8 @@ def for_worst_tenth(
         Where they burn.
     value
         (rows, cols) lost where a cell burns; None: its area.
+    standing
+        (rows, cols) bool: cells of breaks that stand already.
     threads, progress
         As in `simulate`.
 
@@ -99,7 +102,7 @@ def for_worst_tenth(
         run = burn(
             ground.network,
             own,
-            breaks=plan.laid,
+            breaks=beside(plan.laid, standing),
             value=value,
             weather=ground.weather,
             barriers=ground.barriers,

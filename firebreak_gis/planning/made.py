@@ -15,6 +15,7 @@ from firebreak_gis.construction.segments import Segments
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.classes import class_shares
 from firebreak_gis.evaluation.measures import judge, resamples
+from firebreak_gis.landscape.existing import Existing
 from firebreak_gis.landscape.sited import Sited
 from firebreak_gis.planning.burning import Burnt, fires_of
 from firebreak_gis.planning.designs import Design
@@ -22,6 +23,7 @@ from firebreak_gis.planning.feasibility import Feasibility
 from firebreak_gis.planning.goals import goals_table
 from firebreak_gis.planning.judging import Judging, headline
 from firebreak_gis.planning.request import PlanRequest
+from firebreak_gis.planning.standing import Standing
 from firebreak_gis.planning.years import Years, over_years
 from firebreak_gis.progress import Progress, silent
 from firebreak_gis.schema import Shown, card
@@ -204,11 +206,13 @@ class Plan(Shown):
         asked = self.request.calendar
         if asked.years == 1:
             return self
-        fires, value = fires_of(self.design.setting, self.judged), self.design.setting.value
+        setting = self.design.setting
 
-        def taken(cut: np.ndarray) -> tuple[float, float]:
-            run = fires(cut if cut.any() else None, value, progress)
-            lost = np.nan if value is None else float(run["value_lost"].mean())
+        def taken(stands: np.ndarray, standing: np.ndarray | None) -> tuple[float, float]:
+            run = fires_of(replace(setting, standing=standing), self.judged)(
+                self.design.part(stands), setting.value, progress
+            )
+            lost = np.nan if setting.value is None else float(run["value_lost"].mean())
             return float(run["fire_size"].mean()) * self.network.grid.cell_area_ha, lost
 
         years = over_years(
@@ -219,8 +223,41 @@ class Plan(Shown):
             taken,
             budget=self.request.design.amount,
             priced=self.design.priced,
+            standing=self.standing,
         )
         return replace(self, years=years)
+
+    @cached_property
+    def standing(self) -> Standing | None:
+        """The existing breaks, and what each is worth beside the plan; None where there are none."""
+        setting = self.design.setting
+        existing = setting.planes.existing
+        if not isinstance(existing, Existing):
+            return None
+        area = self.network.grid.cell_area_ha
+
+        def burnt(cells: list[np.ndarray]) -> float:
+            mask = replace(existing, cells=cells).mask(self.network.shape)
+            run = fires_of(replace(setting, standing=mask), self.judged)(self.design.laid, None, silent)
+            return float(run["fire_size"].mean()) * area
+
+        every = existing.cells
+        whole = float(self.after["fire_size"].mean()) * area
+        worth = np.array([burnt(every[:k] + every[k + 1 :]) - whole for k in range(len(every))])
+        return Standing(existing, self.network.grid, worth, self.landscape["vegetation"].to_numpy(), setting.price)
+
+    @property
+    def existing(self) -> gpd.GeoDataFrame:
+        """The existing breaks, see `standing.Standing.table`; over years, which are kept up, see `standing.Kept.table`.
+
+        Raises
+        ------
+        ParameterError
+            If there are none.
+        """
+        if self.standing is None:
+            raise ParameterError("there are no existing breaks; give existing")
+        return self.standing.table if self.years is None or self.years.kept is None else self.years.kept.table
 
     @property
     def polygons(self) -> gpd.GeoDataFrame:

@@ -14,6 +14,7 @@ from firebreak_gis.landscape.folder import OUTPUTS as LAYERS
 from firebreak_gis.manifest import account, provenance, told
 from firebreak_gis.progress import Progress
 from firebreak_gis.rasters import files_behind, write_raster
+from firebreak_gis.vectors import write_vector
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -74,6 +75,15 @@ def _compartments(plan: Plan, path: Path, how: Writing) -> None:
     write_compartments(path, plan.compartments, overwrite=how.overwrite, forbid=how.forbid)
 
 
+def _existing(plan: Plan, path: Path, how: Writing) -> None:
+    write_vector(path, plan.existing, layer="existing", overwrite=how.overwrite, forbid=how.forbid)
+
+
+def _present(plan: Plan) -> set[str]:
+    """What of `Output.needs` there is."""
+    return {str(name) for name in plan.landscape} | ({"existing"} if plan.standing is not None else set())
+
+
 def _overview(plan: Plan, path: Path, how: Writing) -> None:
     from firebreak_gis.report.figures import save
 
@@ -93,7 +103,7 @@ def _page(plan: Plan, path: Path, how: Writing) -> None:
         "compartments.gpkg": plan.compartments,
         "evaluation.csv": _evaluation(plan.evaluation),
     }
-    present = names(OUTPUTS, plan.landscape)
+    present = names(OUTPUTS, _present(plan))
     files = [(name, label) for name, label in labels(OUTPUTS).items() if name in present]
     text = render(plan_page(parts, told("plan", how, _account(plan)) | {"files": files}))
     write_text(path, text, overwrite=how.overwrite)
@@ -144,6 +154,7 @@ OUTPUTS: tuple[Output[Plan], ...] = (
     Output("breaks.gpkg", "Fire breaks as polygons", _breaks, main=True),
     Output("segments.gpkg", "Segments to build, in order", _segments, main=True),
     Output("compartments.gpkg", "Compartments between the breaks", _compartments, main=True),
+    Output("existing.gpkg", "Existing breaks, what each is worth, and whether it is kept up", _existing, "existing"),
     _table("goals.csv", "What the plan does for its goal and for all others", lambda plan: plan.goals),
     _table("years.csv", "What is built, kept up and burnt in each year", _years),
     _table("fire_sizes.csv", "Size of every fire without and with the breaks", lambda plan: plan.fire_sizes),
@@ -216,4 +227,4 @@ def write_plan(
         recorded,
         provenance(recorded, seed=result.request.fires.seed),
     )
-    return write_all(OUTPUTS, result, folder, how, variables=result.landscape, progress=progress)
+    return write_all(OUTPUTS, result, folder, how, variables=_present(result), progress=progress)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from firebreak_gis.breaks import Amount, BudgetUnit
 from firebreak_gis.construction.treatments import as_treatments
 from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.existing import Existing, existing_breaks
 from firebreak_gis.landscape.masks import mask_plane
 from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.planning.burning import USUAL, burnt_with, seconds_of
@@ -47,6 +48,7 @@ def plan(
     model: str = "alexandridis",
     model_params: Mapping[str, Any] | None = None,
     barriers: Plane | None = None,
+    existing: Any = None,
     roads: Any = None,
     rivers: Plane | None = None,
     cost: Plane | None = None,
@@ -100,6 +102,9 @@ def plan(
         Spread model and its parameters (wind), see `spread_network`.
     barriers
         (y, x), above 0 on existing breaks, roads and rivers that stop fire, see `stakes.with_barriers`.
+    existing
+        Breaks that stand already: a file, a GeoDataFrame, or what `existing_breaks` returns. Fires meet them before and
+        after, they fail as new ones do, and their fuel grows back, see `years`.
     roads
         Roads and tracks: a file, lines, or (y, x) above 0. Beside them breaks are easier to build and to hold, and
         crews from `stations` drive on them.
@@ -204,7 +209,9 @@ def plan(
     )
     if roads is not None:
         roads = mask_plane(roads, Grid.of(landscape["burnable"]), what="roads", rule="touched")
-    planes = StakePlanes(barriers, roads, rivers, aoi, cost, protected, value, ignition)
+    if existing is not None and not isinstance(existing, Existing):
+        existing = existing_breaks(existing, Grid.of(landscape["burnable"]), what="existing")
+    planes = StakePlanes(barriers, roads, rivers, aoi, cost, protected, value, ignition, existing=existing)
     return make_plan(landscape, request, planes, threads=threads, checked=checked, progress=progress)
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning.feasibility import feasibility, width_in_cells
@@ -14,7 +16,6 @@ from firebreak_gis.simulation.fires import resolved
 from firebreak_gis.simulation.ignitions import Ignitions
 
 if TYPE_CHECKING:
-    import numpy as np
     import xarray as xr
 
     from firebreak_gis.construction.treating import Offers
@@ -37,7 +38,7 @@ class Setting:
     landscape
         `elevation`, `vegetation`, `density`, `burnable` (y, x).
     network
-        What is designed on, existing barriers in it.
+        What is designed on, barriers and existing breaks in it.
     planes, stakes
         What a planner adds, and what that comes to on this network.
     sited
@@ -52,6 +53,8 @@ class Setting:
         Where they burn.
     found
         What can be reached.
+    standing
+        (rows, cols) bool: cells of existing breaks, which fires meet before and after; None for none.
     threads
         Threads to use; None: all.
     """
@@ -67,6 +70,7 @@ class Setting:
     start: Any
     ground: Ground
     found: Feasibility
+    standing: np.ndarray | None = None
     threads: int | None = None
 
     @property
@@ -80,10 +84,19 @@ class Setting:
         return None if self.planes.value is None else self.stakes.value
 
     @property
+    def price(self) -> np.ndarray | None:
+        """(rows, cols) cost of treating each cell, existing breaks too; None where it is not known."""
+        if self.offers is not None:
+            return np.where(self.offers.allowed, self.offers.usual[1], 0.0)
+        return None if self.planes.cost is None else self.network.plane(self.planes.cost, "cost")
+
+    @property
     def trial(self) -> Trial | None:
         """Fires to try designs on; None without a clock."""
         fires = self.judged.fires
-        return Trial(self.ground, fires, self.stakes, fires.seed, self.threads) if self.judged.clock else None
+        if not self.judged.clock:
+            return None
+        return Trial(self.ground, fires, self.stakes, fires.seed, self.threads, self.standing)
 
     @property
     def about(self) -> dict[str, Any]:
@@ -144,7 +157,20 @@ def settle(landscape: xr.Dataset, request: PlanRequest, planes: StakePlanes, *, 
     found.require()
     found = replace(found, account=(*found.account, *sited.account), warnings=(*found.warnings, *judged.notes))
     judged = replace(judged, fires=replace(judged.fires, ignitions=starts[0]))
-    ground = scene.ground(judged, network, planes.barriers)
+    ground = scene.ground(judged, planes.barred(scene.network), planes.barriers)
+    standing = planes.standing(network)
     return Setting(
-        request, landscape, network, planes, stakes, sited, offers, judged, fires.ignitions, ground, found, threads
+        request,
+        landscape,
+        network,
+        planes,
+        stakes,
+        sited,
+        offers,
+        judged,
+        fires.ignitions,
+        ground,
+        found,
+        standing,
+        threads,
     )

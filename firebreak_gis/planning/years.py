@@ -18,9 +18,11 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.planning.standing import Kept, Standing
 
-#: Hectares and value that the mean fire takes where a (rows, cols) bool mask is cut.
-Losses = Callable[[np.ndarray], "tuple[float, float]"]
+#: Hectares and value that the mean fire takes where some of the segments stand, (n,) bool, beside cells of breaks that
+#: were there before, (rows, cols) bool, or None.
+Losses = Callable[["np.ndarray", "np.ndarray | None"], "tuple[float, float]"]
 
 
 @dataclass(frozen=True)
@@ -99,19 +101,22 @@ class Years:
     Parameters
     ----------
     table
-        One row a year: `year`, `built_ha` (segments that stand from then on), `standing_ha`, `spent_building`,
-        `spent_upkeep`, `spent`, `budget` (in money, or hectares where the budget counts these), `burnt_ha` and
-        `value_lost` (expected, with what stands), `saved_ha`, and the last of each of `spent`, `burnt_ha` and
-        `value_lost` discounted to the first year, `_now`.
+        One row a year: `year`, `built_ha` (segments that stand from then on), `standing_ha`, `existing_ha` (of breaks
+        that were there before, if there are any), `spent_building`, `spent_upkeep`, `spent`, `budget` (in money, or
+        hectares where the budget counts these), `burnt_ha` and `value_lost` (expected, with what stands), `saved_ha`,
+        and the last of each of `spent`, `burnt_ha` and `value_lost` discounted to the first year, `_now`.
     columns
         Of each segment: `year`, `year_begun`, `return_years`, `upkeep_year` (cost a year) and `upkeep_years`.
     unit
         Of what is spent.
+    kept
+        Existing breaks, and which of them are kept up; None where there are none.
     """
 
     table: pd.DataFrame
     columns: Mapping[str, Any]
     unit: str
+    kept: Kept | None = None
 
     @property
     def told(self) -> str:
@@ -121,6 +126,7 @@ class Years:
         return (
             f"Over {n} years {self.table['spent'].sum():,.4g} {self.unit} are spent, "
             f"{self.table['spent_upkeep'].sum():,.4g} of it on upkeep; {last['standing_ha']:,.4g} ha stand at the end"
+            + ("" if self.kept is None else self.kept.told)
             + (f", {unfinished} segments are not built" if unfinished else "")
             + f", and {self.table['saved_ha'].sum():,.4g} ha less burn in all "
             + f"({self.table['burnt_ha'].sum():,.4g} burn)."
@@ -136,6 +142,7 @@ def over_years(
     *,
     budget: Budget,
     priced: bool,
+    standing: Standing | None = None,
 ) -> Years:
     """Schedule the segments of a plan, and burn each year's fires with what stands.
 
@@ -150,11 +157,13 @@ def over_years(
     network
         Before cutting.
     losses
-        What the mean fire takes with a mask.
+        What the mean fire takes with some of the segments.
     budget
         Of the whole plan, whose unit counts where no budget of a year is given.
     priced
         Whether cells or treatments have costs.
+    standing
+        Breaks that stand already; None for none.
     """
     import pandas as pd
 
@@ -167,30 +176,43 @@ def over_years(
         )
     cost, yearly = _costs(request, polygons, vegetation, money=money)
     interval = np.divide(cost * request.upkeep_cost, yearly, out=np.full(cost.size, np.inf), where=yearly > 0)
-    per_year = float(cost.sum()) / request.years
+    per_year = np.inf
     if request.budget_per_year is not None:
         area = network.n_burnable * network.grid.cell_area_ha
         per_year = asked.amount * (area if asked.unit == "share" else 1.0)
-    made = schedule(cost, yearly, budget=per_year, years=request.years)
-    bare = losses(np.zeros(network.shape, bool))
-    known: dict[int, tuple[float, float]] = {}
-    cells = _cells(polygons, network)
+    kept = None
+    if standing is not None:
+        kept = standing.kept_up(
+            money=money,
+            years=request.years,
+            budget=per_year,
+            fires=request.fires_per_year,
+            intervals=request.return_interval or RETURN,
+            upkeep=request.upkeep_cost,
+        )
+    upkeep = 0.0 if kept is None else kept.upkeep
+    if np.isinf(per_year):
+        per_year = float(cost.sum()) / request.years + upkeep
+    made = schedule(cost, yearly, budget=max(per_year - upkeep, 0.0), years=request.years)
+    bare = losses(np.zeros(cost.size, bool), None)
+    known: dict[tuple[int, int], tuple[float, float]] = {}
     rows: list[dict[str, float]] = []
     area_of = polygons["area_ha"].to_numpy(float)
     for y in range(1, request.years + 1):
         stands = (made.year > 0) & (made.year <= y)
-        count = int(stands.sum())
-        if count not in known:
-            known[count] = losses(np.isin(cells, np.flatnonzero(stands) + 1)) if count else bare
-        hectares, value = (request.fires_per_year * each for each in known[count])
+        state = (int(stands.sum()), 0 if kept is None else int((kept.until >= y).sum()))
+        if state not in known:
+            known[state] = losses(stands, None if kept is None else kept.mask(y)) if any(state) else bare
+        hectares, value = (request.fires_per_year * each for each in known[state])
         rows.append(
             {
                 "year": y,
                 "built_ha": float(area_of[made.year == y].sum()),
                 "standing_ha": float(area_of[stands].sum()),
+                **({} if kept is None else {"existing_ha": kept.area_ha(y)}),
                 "spent_building": float(made.built[y - 1]),
-                "spent_upkeep": float(made.kept[y - 1]),
-                "spent": float(made.built[y - 1] + made.kept[y - 1]),
+                "spent_upkeep": float(made.kept[y - 1]) + upkeep,
+                "spent": float(made.built[y - 1] + made.kept[y - 1]) + upkeep,
                 "budget": per_year,
                 "burnt_ha": hectares,
                 "value_lost": value,
@@ -208,7 +230,7 @@ def over_years(
         "upkeep_year": yearly,
         "upkeep_years": visits(made.year, interval, request.years),
     }
-    return Years(table, columns, "" if money else "ha")
+    return Years(table, columns, "" if money else "ha", kept)
 
 
 def _costs(
@@ -223,13 +245,3 @@ def _costs(
     name = ("treatment_cost" if treated else "cost") if money else "area_ha"
     cost = polygons[name].to_numpy(float)
     return cost, cost * np.minimum(rates, 1.0) * request.upkeep_cost
-
-
-def _cells(polygons: gpd.GeoDataFrame, network: SpreadNetwork) -> np.ndarray:
-    """Number of the segment of each cell, from 1 in order, (rows, cols)."""
-    from rasterio.features import rasterize
-
-    if not len(polygons):
-        return np.zeros(network.shape, np.int32)
-    shapes = zip(polygons.geometry, range(1, len(polygons) + 1), strict=True)
-    return np.asarray(rasterize(shapes, network.shape, transform=network.grid.transform, dtype="int32"))

@@ -30,6 +30,7 @@ LABELS: Mapping[str, str] = {
     "protected": "Area where nothing may be cut",
     "allowed": "Area outside of which nothing may be cut",
     "barriers": "Existing barriers",
+    "existing": "Breaks that stand already",
     "values": "Values at risk",
     "values_field": "Field with the value",
     "values_as": "Values are",

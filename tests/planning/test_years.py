@@ -13,14 +13,16 @@ from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import firebreak_gis as fb
 from firebreak_gis.breaks import Budget
 from firebreak_gis.cli import firebreak
 from firebreak_gis.construction.years import RETURN, mean_rates, return_intervals, schedule, upkeep_rates, visits
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.grid import Grid
+from firebreak_gis.landscape.existing import existing_breaks
 from firebreak_gis.planning.pipeline import plan
-from firebreak_gis.planning.request import DesignRequest, PlanRequest
 from firebreak_gis.planning.years import YearsRequest, over_years
-from tests.places import three
+from tests.places import three, write
 
 
 @st.composite
@@ -80,8 +82,6 @@ def test_what_cannot_be_is_refused():
         schedule(one, one * 2, budget=1.0, years=2)
     with pytest.raises(ParameterError, match="needs the number of years"):
         YearsRequest(budget_per_year=Budget(0.01)).require()
-    with pytest.raises(ParameterError, match="whole cells"):
-        PlanRequest(DesignRequest(line_width=5.0), calendar=YearsRequest(years=2)).require()
     for wrong in ({"discount": -0.1}, {"fires_per_year": -1.0}, {"upkeep_cost": 2.0}):
         with pytest.raises(ParameterError, match="expected a number"):
             YearsRequest(years=2, **wrong).require()
@@ -116,9 +116,11 @@ def test_one_year_of_the_whole_cost_builds_all(planned):
     today = planned()
     calls = []
 
-    def losses(cut):
-        calls.append(int(cut.sum()))
-        return float(today.network.n_burnable - cut.sum()), np.nan
+    def losses(stands, standing):
+        assert standing is None
+        calls.append(int(stands.sum()))
+        cut = today.design.part(stands)
+        return float(today.network.n_burnable - (0 if cut is None else cut.sum())), np.nan
 
     found = over_years(
         YearsRequest(years=1),
@@ -130,7 +132,7 @@ def test_one_year_of_the_whole_cost_builds_all(planned):
         priced=False,
     )
     cut = int(today.breaks.sum())
-    assert calls == [0, cut]
+    assert calls == [0, len(today.segments.polygons)]
     assert found.table["standing_ha"].tolist() == pytest.approx([cut * today.network.grid.cell_area_ha])
     assert found.table["burnt_ha"].tolist() == [today.network.n_burnable - cut]
     rates = mean_rates(today.segments.polygons, today.landscape["vegetation"], RETURN)
@@ -170,3 +172,110 @@ def test_the_command_tells_the_years(tmp_path):
     assert "Year 1," in page
     assert "Year 0" not in page
     assert "Value lost" not in page
+
+
+@pytest.mark.parametrize("width", [None, 6.0])
+def test_all_segments_are_the_breaks_of_the_plan(make_landscape, width):
+    """Whole cells or lines, all built: the fires of the last year are those of the plan; none built: those before."""
+    land = make_landscape((40, 47), seed=2, relief=3.0)
+    years = YearsRequest(years=3, budget_per_year=Budget(1.0))
+    made = plan(land, budget=0.08, line_width=width, n_runs=30, seed=2, years=years)
+    area = made.network.grid.cell_area_ha
+    every = np.ones(len(made.segments.lines), bool)
+    assert made.design.part(~every) is None
+    assert made.years.table["burnt_ha"].iloc[-1] == pytest.approx(float(made.after["fire_size"].mean()) * area)
+    # Lines narrower than a cell have fuel under them too, but for a few pieces over bare ground.
+    assert (made.segments.lines["upkeep_year"] > 0).mean() > 0.8
+    few = plan(land, budget=0.08, line_width=width, n_runs=30, seed=2, years=YearsRequest(2, Budget(0.02)))
+    stands = few.segments.lines["year"].to_numpy() > 0
+    assert set(stands) == {False, True}
+    part = few.years.table["burnt_ha"].iloc[-1] / area
+    assert few.after["fire_size"].mean() < part < few.before["fire_size"].mean()
+
+
+def columns_of(shape, *numbers):
+    """Existing breaks along whole columns of a map."""
+    plane = np.zeros(shape, np.uint8)
+    plane[:, list(numbers)] = 1
+    return plane
+
+
+@pytest.fixture(scope="module")
+def old(make_landscape):
+    """A landscape that a break of one column cuts in two, and one along its rim that nothing is behind."""
+    land = make_landscape((24, 41), seed=5, relief=3.0)
+    grid = Grid.of(land["burnable"])
+    return land, existing_breaks(grid.dataarray(columns_of((24, 41), 20, 40), "breaks"), grid)
+
+
+def test_existing_breaks_stand_before_and_after(old):
+    """Fires before are those with the existing breaks, after those with both; the plan pays for none of their cells."""
+    land, existing = old
+    given = {"budget": 0.06, "n_runs": 40, "seed": 4}
+    made = plan(land, existing=existing, **given)
+    cut, there = made.breaks.to_numpy() > 0, existing.mask((24, 41))
+    assert not (cut & there).any()
+    fires = {"hold": made.judged.fires.hold, "duration": made.judged.fires.duration, "n_runs": 40, "seed": 4}
+    timed = fb.spread_network(land, clock=True)
+    fires["ignitions"] = made.judged.fires.ignitions
+    for breaks, burnt in ((there, made.before), (there | cut, made.after)):
+        again = fb.simulate(timed, breaks=breaks, **fires)
+        np.testing.assert_array_equal(again["fire_size"], burnt["fire_size"])
+    curve = made.evaluation["burnt_cells"].sel(ranking="dissection")
+    np.testing.assert_array_equal(curve.sel(budget=made.share), made.after["fire_size"])
+    np.testing.assert_array_equal(curve.sel(budget=0.0), made.before["fire_size"])
+    worth = made.existing["worth_ha"].to_numpy()
+    alone = fb.simulate(timed, breaks=columns_of((24, 41), 40) | cut, **fires)["fire_size"].mean()
+    area = made.network.grid.cell_area_ha
+    assert worth[0] == pytest.approx(float(alone - made.after["fire_size"].mean()) * area)
+    assert worth[0] > abs(worth[1])
+    with pytest.raises(ParameterError, match="whole cells"):
+        plan(land, existing=existing, line_width=5.0, **given)
+    with pytest.raises(ParameterError, match="no existing breaks"):
+        _ = plan(land, method="degree", **given).existing
+
+
+def test_existing_breaks_are_kept_up_or_dropped(old):
+    land, existing = old
+    given = {"budget": 0.06, "n_runs": 40, "seed": 4, "existing": existing, "timeless": True}
+    ask = {"years": 6, "return_interval": dict.fromkeys(RETURN, 3.0)}
+    pays = plan(land, years=YearsRequest(**ask), **given).existing
+    pays = (pays["upkeep_ha"] / pays["worth_ha"].clip(lower=1e-9)).to_numpy()
+    between = float(np.sqrt(pays[0] * pays[1]))  # with so many fires the one pays, the other does not
+    assert pays[0] < between
+    many = plan(land, years=YearsRequest(fires_per_year=between, **ask), **given)
+    table = many.existing
+    saved = between * table["worth_ha"]
+    assert (table["keep"] == np.where(saved >= table["upkeep_ha"], "yes", "no")).all()
+    assert table["keep"].tolist() == ["yes", "no"]
+    assert table["stands_until"].tolist() == [6, 3]
+    assert table["upkeep_years"].iloc[0] == "4"
+    fuel = table["upkeep_ha"].to_numpy() * 3.0
+    assert (fuel <= table["area_ha"] + 1e-9).all()
+    years = many.years.table
+    kept = table["upkeep_year"].iloc[0]
+    assert (years["spent_upkeep"] >= kept - 1e-9).all()
+    assert (years["spent"] <= years["budget"] * (1 + 1e-9)).all()
+    assert years["existing_ha"].tolist() == pytest.approx([table["area_ha"].sum()] * 3 + [table["area_ha"].iloc[0]] * 3)
+    none = plan(land, years=YearsRequest(fires_per_year=0.0, **ask), **given)
+    assert none.existing["keep"].tolist() == ["no", "no"]
+    assert none.years.table["existing_ha"].tolist()[3:] == [0.0] * 3
+    assert none.years.table["spent_upkeep"].iloc[0] == 0.0
+    poor = plan(
+        land, years=YearsRequest(budget_per_year=Budget(kept / 2, "ha"), fires_per_year=between, **ask), **given
+    )
+    assert poor.existing["keep"].tolist() == ["no", "no"]
+
+
+def test_the_command_takes_existing_breaks(tmp_path):
+    three(tmp_path, 20, 26)
+    write(tmp_path / "old.tif", columns_of((20, 26), 13))
+    words = ["plan", *(tmp_path / f"{n}.tif" for n in ("dem", "vegetation", "density")), "--runs", "10", "--timeless"]
+    words += ["--budget", "10%", "--existing", tmp_path / "old.tif", "--years", "3", "-o", tmp_path / "out"]
+    done = CliRunner().invoke(firebreak, [str(w) for w in words])
+    assert done.exit_code == 0, done.output
+    assert "existing breaks" in done.output
+    table = gpd.read_file(tmp_path / "out" / "existing.gpkg")
+    assert {"worth_ha", "upkeep_year", "keep", "stands_until"} <= set(table)
+    account = json.loads((tmp_path / "out" / "run.json").read_text())
+    assert any(each["path"].endswith("old.tif") for each in account["inputs"])

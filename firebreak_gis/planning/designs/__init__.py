@@ -97,6 +97,10 @@ class Design(ABC):
     def told(self) -> str:
         """What is built, in words."""
 
+    @abstractmethod
+    def part(self, stands: np.ndarray) -> xr.DataArray | LineBreaks | np.ndarray | None:
+        """Some of the segments, (n_segments,) bool, as fires meet them; None for none."""
+
     def budgets(self, usual: Callable[[float], np.ndarray]) -> np.ndarray:
         """Budgets of a curve, of those that are usual about one."""
         return usual(self.share)

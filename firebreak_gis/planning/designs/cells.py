@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -58,7 +59,22 @@ class Cells(Design):
             return amount.amount
         return float(self.breaks.attrs["cells_cut"] / max(self.setting.network.n_burnable, 1))
 
-    @property
+    def part(self, stands: np.ndarray) -> np.ndarray | None:
+        """Cells of those segments."""
+        return np.isin(self._numbers, np.flatnonzero(stands) + 1) if stands.any() else None
+
+    @cached_property
+    def _numbers(self) -> np.ndarray:
+        """Number of the segment of each cell, from 1 in order, (rows, cols)."""
+        from rasterio.features import rasterize
+
+        polygons, network = self.segments.polygons, self.setting.network
+        if not len(polygons):
+            return np.zeros(network.shape, np.int32)
+        shapes = zip(polygons.geometry, range(1, len(polygons) + 1), strict=True)
+        return np.asarray(rasterize(shapes, network.shape, transform=network.grid.transform, dtype="int32"))
+
+    @cached_property
     def segments(self) -> Segments:
         """See `segments.segments_of`."""
         stakes = self.setting.stakes

@@ -13,13 +13,13 @@ from firebreak_gis.construction.lines import line_polygons, line_segments
 from firebreak_gis.construction.segments import Segments
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.curves import ByBudget
+from firebreak_gis.landscape.lines import LineBreaks, links_crossed
 from firebreak_gis.planning.designs import Design, Rest
 from firebreak_gis.planning.line_design import LineDesign, design_lines, line_params
 
 if TYPE_CHECKING:
     import geopandas as gpd
 
-    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.planning.request import DesignRequest, PlanRequest
     from firebreak_gis.planning.setting import Setting
     from firebreak_gis.progress import Progress
@@ -57,13 +57,13 @@ def require(request: PlanRequest) -> None:
             "--line-width auto is the width that suits the flames, by fires with a clock; give --hold flame, under "
             "which wider lines hold more often, or the width in metres"
         )
-    if request.calendar.years > 1:
-        raise ParameterError("--years schedules breaks of whole cells; leave --years or --line-width out")
 
 
 def make(setting: Setting, _: Rest, progress: Progress) -> Lines:
     """Find the walls."""
     request, width = setting.request.design, setting.request.design.line_width
+    if setting.standing is not None:
+        raise ParameterError("--existing stands beside breaks of whole cells; leave --existing or --line-width out")
     assert width is not None
     found = design_lines(
         setting.network,
@@ -112,7 +112,21 @@ class Lines(Design):
         """The walls that the budget pays, in order."""
         return self.found.walls.iloc[: self.found.bought(self._amount)]
 
-    @property
+    def part(self, stands: np.ndarray) -> LineBreaks | None:
+        """The walls, of which the last may have some of its lines only."""
+        import geopandas as gpd
+        import shapely
+
+        lines = self.segments.lines[stands]
+        if not len(lines):
+            return None
+        parts = lines.groupby("stage")
+        shapes = [shapely.MultiLineString(list(each)) for _, each in parts.geometry]
+        walls = gpd.GeoDataFrame({"width_m": parts["width_m"].first().to_numpy()}, geometry=shapes, crs=lines.crs)
+        grid = self.setting.network.grid
+        return LineBreaks(walls, *links_crossed(walls, grid), grid)
+
+    @cached_property
     def segments(self) -> Segments:
         """See `lines.line_segments`."""
         return line_segments(

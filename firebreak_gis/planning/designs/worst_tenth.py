@@ -36,6 +36,7 @@ def make(setting: Setting, rest: Rest, progress: Progress) -> Design:
         replace(setting.judged.fires, ignitions=setting.start, residual=setting.leak),
         setting.ground,
         value=setting.value,
+        standing=setting.standing,
         threads=setting.threads,
         progress=progress,
     )
