@@ -948,8 +948,8 @@
         <translation>Breite von Schneisen, die Linien sind [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
-        <translation>Plant Schneisen als Linien dieser Breite, z. B. 12m, auch schmaler als eine Zelle, an Stelle ganzer Zellen; das Budget zählt ihre Länge mal ihre Breite.</translation>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
+        <translation>Plant Schneisen als Linien dieser Breite, z. B. 12m, auch schmaler als eine Zelle, an Stelle ganzer Zellen; das Budget zählt ihre Länge mal ihre Breite. Mit „Wie oft eine Schneise hält“ flame ist auto die Breite, bei der Feuer am wenigsten nehmen.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>
@@ -962,6 +962,18 @@
     <message>
         <source>as a word</source>
         <translation>als Wort</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already</source>
+        <translation>Schneisen, die es schon gibt</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already (lines, polygons, or a raster of which each connected piece is one): fires meet them with and without the plan, they fail as new ones do, and their fuel grows back unless they are kept up.</source>
+        <translation>Schneisen, die es schon gibt (Linien, Polygone oder ein Raster, von dem jedes zusammenhängende Stück eine ist): Feuer treffen sie mit und ohne Plan, sie versagen wie neue, und ihr Brennstoff wächst nach, wenn sie nicht gepflegt werden.</translation>
+    </message>
+    <message>
+        <source>as polygons or lines</source>
+        <translation>als Polygone oder Linien</translation>
     </message>
     <message>
         <source>Years of building and upkeep</source>
@@ -1136,6 +1148,10 @@
         <translation>Brandhäufigkeit mit den Schneisen</translation>
     </message>
     <message>
+        <source>Existing breaks, what each is worth, and whether it is kept up</source>
+        <translation>Vorhandene Schneisen, was jede wert ist und ob sie gepflegt wird</translation>
+    </message>
+    <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>Was der Plan für sein Ziel und für alle anderen leistet</translation>
     </message>
@@ -1254,10 +1270,6 @@
     <message>
         <source>Elevation on any grid, for the slopes [m].</source>
         <translation>Höhe auf beliebigem Gitter, für die Neigungen [m].</translation>
-    </message>
-    <message>
-        <source>as polygons or lines</source>
-        <translation>als Polygone oder Linien</translation>
     </message>
     <message>
         <source>What of the segments goes into a format with one layer</source>

@@ -948,8 +948,8 @@
         <translation>Πλάτος των ζωνών που είναι γραμμές [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
-        <translation>Σχεδιάζει ζώνες ως γραμμές αυτού του πλάτους, π.χ. 12m, και μικρότερου από ένα κελί, αντί για ολόκληρα κελιά· ο προϋπολογισμός μετρά το μήκος τους επί το πλάτος τους.</translation>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
+        <translation>Σχεδιάζει ζώνες ως γραμμές αυτού του πλάτους, π.χ. 12m, και μικρότερου από ένα κελί, αντί για ολόκληρα κελιά· ο προϋπολογισμός μετρά το μήκος τους επί το πλάτος τους. Με «Πόσο συχνά κρατά μια ζώνη» flame, auto είναι το πλάτος με το οποίο οι πυρκαγιές καίνε το λιγότερο.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>
@@ -962,6 +962,18 @@
     <message>
         <source>as a word</source>
         <translation>ως λέξη</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already</source>
+        <translation>Ζώνες που υπάρχουν ήδη</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already (lines, polygons, or a raster of which each connected piece is one): fires meet them with and without the plan, they fail as new ones do, and their fuel grows back unless they are kept up.</source>
+        <translation>Ζώνες που υπάρχουν ήδη (γραμμές, πολύγωνα ή ψηφιδωτό του οποίου κάθε συνεχόμενο κομμάτι είναι μία): οι πυρκαγιές τις συναντούν με και χωρίς το σχέδιο, αστοχούν όπως οι νέες, και η καύσιμη ύλη τους ξαναφυτρώνει αν δεν συντηρούνται.</translation>
+    </message>
+    <message>
+        <source>as polygons or lines</source>
+        <translation>ως πολύγωνα ή γραμμές</translation>
     </message>
     <message>
         <source>Years of building and upkeep</source>
@@ -1136,6 +1148,10 @@
         <translation>Συχνότητα καύσης με τις ζώνες</translation>
     </message>
     <message>
+        <source>Existing breaks, what each is worth, and whether it is kept up</source>
+        <translation>Υπάρχουσες ζώνες, τι αξίζει η καθεμία και αν συντηρείται</translation>
+    </message>
+    <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>Τι πετυχαίνει το σχέδιο για τον στόχο του και για όλους τους άλλους</translation>
     </message>
@@ -1254,10 +1270,6 @@
     <message>
         <source>Elevation on any grid, for the slopes [m].</source>
         <translation>Υψόμετρο σε οποιονδήποτε κάνναβο, για τις κλίσεις [m].</translation>
-    </message>
-    <message>
-        <source>as polygons or lines</source>
-        <translation>ως πολύγωνα ή γραμμές</translation>
     </message>
     <message>
         <source>What of the segments goes into a format with one layer</source>

@@ -948,8 +948,8 @@
         <translation>Anchura de los cortafuegos que son líneas [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
-        <translation>Planifica cortafuegos como líneas de esta anchura, p. ej. 12m, también menor que una celda, en lugar de celdas enteras; el presupuesto cuenta su longitud por su anchura.</translation>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
+        <translation>Planifica cortafuegos como líneas de esta anchura, p. ej. 12m, también menor que una celda, en lugar de celdas enteras; el presupuesto cuenta su longitud por su anchura. Con «Con qué frecuencia aguanta un cortafuegos» flame, auto es la anchura con la que los incendios queman menos.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>
@@ -962,6 +962,18 @@
     <message>
         <source>as a word</source>
         <translation>como palabra</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already</source>
+        <translation>Cortafuegos que ya existen</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already (lines, polygons, or a raster of which each connected piece is one): fires meet them with and without the plan, they fail as new ones do, and their fuel grows back unless they are kept up.</source>
+        <translation>Cortafuegos que ya existen (líneas, polígonos o un ráster del que cada parte conexa es uno): los incendios los encuentran con y sin el plan, fallan como los nuevos y su combustible vuelve a crecer si no se mantienen.</translation>
+    </message>
+    <message>
+        <source>as polygons or lines</source>
+        <translation>como polígonos o líneas</translation>
     </message>
     <message>
         <source>Years of building and upkeep</source>
@@ -1136,6 +1148,10 @@
         <translation>Frecuencia de quema con los cortafuegos</translation>
     </message>
     <message>
+        <source>Existing breaks, what each is worth, and whether it is kept up</source>
+        <translation>Cortafuegos existentes, lo que vale cada uno y si se mantiene</translation>
+    </message>
+    <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>Lo que hace el plan por su objetivo y por todos los demás</translation>
     </message>
@@ -1254,10 +1270,6 @@
     <message>
         <source>Elevation on any grid, for the slopes [m].</source>
         <translation>Elevación en cualquier cuadrícula, para las pendientes [m].</translation>
-    </message>
-    <message>
-        <source>as polygons or lines</source>
-        <translation>como polígonos o líneas</translation>
     </message>
     <message>
         <source>What of the segments goes into a format with one layer</source>

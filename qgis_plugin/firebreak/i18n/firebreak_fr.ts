@@ -948,8 +948,8 @@
         <translation>Largeur des pare-feu qui sont des lignes [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
-        <translation>Planifie des pare-feu comme lignes de cette largeur, p. ex. 12m, même moindre qu'une cellule, à la place de cellules entières ; le budget compte leur longueur fois leur largeur.</translation>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
+        <translation>Planifie des pare-feu comme lignes de cette largeur, p. ex. 12m, même moindre qu'une cellule, à la place de cellules entières ; le budget compte leur longueur fois leur largeur. Avec « Combien de fois un pare-feu tient » flame, auto est la largeur avec laquelle les feux prennent le moins.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>
@@ -962,6 +962,18 @@
     <message>
         <source>as a word</source>
         <translation>comme mot</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already</source>
+        <translation>Pare-feu qui existent déjà</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already (lines, polygons, or a raster of which each connected piece is one): fires meet them with and without the plan, they fail as new ones do, and their fuel grows back unless they are kept up.</source>
+        <translation>Pare-feu qui existent déjà (lignes, polygones, ou un raster dont chaque morceau connexe en est un) : les feux les rencontrent avec et sans le plan, ils cèdent comme les nouveaux, et leur combustible repousse s'ils ne sont pas entretenus.</translation>
+    </message>
+    <message>
+        <source>as polygons or lines</source>
+        <translation>comme polygones ou lignes</translation>
     </message>
     <message>
         <source>Years of building and upkeep</source>
@@ -1136,6 +1148,10 @@
         <translation>Fréquence de brûlage avec les pare-feu</translation>
     </message>
     <message>
+        <source>Existing breaks, what each is worth, and whether it is kept up</source>
+        <translation>Pare-feu existants, ce que vaut chacun et s'il est entretenu</translation>
+    </message>
+    <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>Ce que le plan fait pour son but et pour tous les autres</translation>
     </message>
@@ -1254,10 +1270,6 @@
     <message>
         <source>Elevation on any grid, for the slopes [m].</source>
         <translation>Altitude sur toute grille, pour les pentes [m].</translation>
-    </message>
-    <message>
-        <source>as polygons or lines</source>
-        <translation>comme polygones ou lignes</translation>
     </message>
     <message>
         <source>What of the segments goes into a format with one layer</source>

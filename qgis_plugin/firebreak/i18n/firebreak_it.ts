@@ -948,8 +948,8 @@
         <translation>Larghezza dei viali che sono linee [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
-        <translation>Pianifica viali come linee di questa larghezza, ad es. 12m, anche minore di una cella, al posto di celle intere; il budget conta la loro lunghezza per la loro larghezza.</translation>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
+        <translation>Pianifica viali come linee di questa larghezza, ad es. 12m, anche minore di una cella, al posto di celle intere; il budget conta la loro lunghezza per la loro larghezza. Con «Quanto spesso un viale tiene» flame, auto è la larghezza con cui gli incendi bruciano meno.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>
@@ -962,6 +962,18 @@
     <message>
         <source>as a word</source>
         <translation>come parola</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already</source>
+        <translation>Viali che esistono già</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already (lines, polygons, or a raster of which each connected piece is one): fires meet them with and without the plan, they fail as new ones do, and their fuel grows back unless they are kept up.</source>
+        <translation>Viali che esistono già (linee, poligoni o un raster di cui ogni parte connessa è uno): gli incendi li incontrano con e senza il piano, cedono come quelli nuovi e il loro combustibile ricresce se non sono mantenuti.</translation>
+    </message>
+    <message>
+        <source>as polygons or lines</source>
+        <translation>come poligoni o linee</translation>
     </message>
     <message>
         <source>Years of building and upkeep</source>
@@ -1136,6 +1148,10 @@
         <translation>Frequenza di incendio con i viali</translation>
     </message>
     <message>
+        <source>Existing breaks, what each is worth, and whether it is kept up</source>
+        <translation>Viali esistenti, quanto vale ciascuno e se viene mantenuto</translation>
+    </message>
+    <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>Che cosa fa il piano per il suo scopo e per tutti gli altri</translation>
     </message>
@@ -1254,10 +1270,6 @@
     <message>
         <source>Elevation on any grid, for the slopes [m].</source>
         <translation>Quota su qualsiasi griglia, per le pendenze [m].</translation>
-    </message>
-    <message>
-        <source>as polygons or lines</source>
-        <translation>come poligoni o linee</translation>
     </message>
     <message>
         <source>What of the segments goes into a format with one layer</source>

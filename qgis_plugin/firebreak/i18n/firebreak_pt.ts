@@ -948,8 +948,8 @@
         <translation>Largura dos aceiros que são linhas [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width.</source>
-        <translation>Planeia aceiros como linhas desta largura, p. ex. 12m, também menor do que uma célula, em vez de células inteiras; o orçamento conta o seu comprimento vezes a sua largura.</translation>
+        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
+        <translation>Planeia aceiros como linhas desta largura, p. ex. 12m, também menor do que uma célula, em vez de células inteiras; o orçamento conta o seu comprimento vezes a sua largura. Com «Com que frequência um aceiro segura o fogo» flame, auto é a largura com que os fogos queimam menos.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>
@@ -962,6 +962,18 @@
     <message>
         <source>as a word</source>
         <translation>como palavra</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already</source>
+        <translation>Aceiros que já existem</translation>
+    </message>
+    <message>
+        <source>Breaks that stand already (lines, polygons, or a raster of which each connected piece is one): fires meet them with and without the plan, they fail as new ones do, and their fuel grows back unless they are kept up.</source>
+        <translation>Aceiros que já existem (linhas, polígonos ou um raster do qual cada parte conexa é um): os fogos encontram-nos com e sem o plano, falham como os novos, e o seu combustível volta a crescer se não forem mantidos.</translation>
+    </message>
+    <message>
+        <source>as polygons or lines</source>
+        <translation>como polígonos ou linhas</translation>
     </message>
     <message>
         <source>Years of building and upkeep</source>
@@ -1136,6 +1148,10 @@
         <translation>Frequência de queima com os aceiros</translation>
     </message>
     <message>
+        <source>Existing breaks, what each is worth, and whether it is kept up</source>
+        <translation>Aceiros existentes, quanto vale cada um e se é mantido</translation>
+    </message>
+    <message>
         <source>What the plan does for its goal and for all others</source>
         <translation>O que o plano faz pelo seu objetivo e por todos os outros</translation>
     </message>
@@ -1254,10 +1270,6 @@
     <message>
         <source>Elevation on any grid, for the slopes [m].</source>
         <translation>Elevação em qualquer grelha, para os declives [m].</translation>
-    </message>
-    <message>
-        <source>as polygons or lines</source>
-        <translation>como polígonos ou linhas</translation>
     </message>
     <message>
         <source>What of the segments goes into a format with one layer</source>
