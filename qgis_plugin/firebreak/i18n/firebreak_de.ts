@@ -949,7 +949,7 @@
     </message>
     <message>
         <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Plant Schneisen als Linien dieser Breite, z. B. 12m, auch schmaler als eine Zelle, an Stelle ganzer Zellen; das Budget zählt ihre Länge mal ihre Breite. Mit „Wie oft eine Schneise hält“ flame ist auto die Breite, bei der Feuer am wenigsten nehmen.</translation>
+        <translation>Plant Schneisen als Linien dieser Breite, z. B. 12m, auch schmaler als eine Zelle, an Stelle ganzer Zellen; das Budget zählt ihre Länge mal ihre Breite. Mit "Wie oft eine Schneise hält" flame ist auto die Breite, bei der Feuer am wenigsten nehmen.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>

@@ -949,7 +949,7 @@
     </message>
     <message>
         <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Σχεδιάζει ζώνες ως γραμμές αυτού του πλάτους, π.χ. 12m, και μικρότερου από ένα κελί, αντί για ολόκληρα κελιά· ο προϋπολογισμός μετρά το μήκος τους επί το πλάτος τους. Με «Πόσο συχνά κρατά μια ζώνη» flame, auto είναι το πλάτος με το οποίο οι πυρκαγιές καίνε το λιγότερο.</translation>
+        <translation>Σχεδιάζει ζώνες ως γραμμές αυτού του πλάτους, π.χ. 12m, και μικρότερου από ένα κελί, αντί για ολόκληρα κελιά· ο προϋπολογισμός μετρά το μήκος τους επί το πλάτος τους. Με "Πόσο συχνά κρατά μια ζώνη" flame, auto είναι το πλάτος με το οποίο οι πυρκαγιές καίνε το λιγότερο.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>

@@ -949,7 +949,7 @@
     </message>
     <message>
         <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Planifica cortafuegos como líneas de esta anchura, p. ej. 12m, también menor que una celda, en lugar de celdas enteras; el presupuesto cuenta su longitud por su anchura. Con «Con qué frecuencia aguanta un cortafuegos» flame, auto es la anchura con la que los incendios queman menos.</translation>
+        <translation>Planifica cortafuegos como líneas de esta anchura, p. ej. 12m, también menor que una celda, en lugar de celdas enteras; el presupuesto cuenta su longitud por su anchura. Con "Con qué frecuencia aguanta un cortafuegos" flame, auto es la anchura con la que los incendios queman menos.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>

@@ -949,7 +949,7 @@
     </message>
     <message>
         <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Planifie des pare-feu comme lignes de cette largeur, p. ex. 12m, même moindre qu'une cellule, à la place de cellules entières ; le budget compte leur longueur fois leur largeur. Avec « Combien de fois un pare-feu tient » flame, auto est la largeur avec laquelle les feux prennent le moins.</translation>
+        <translation>Planifie des pare-feu comme lignes de cette largeur, p. ex. 12m, même moindre qu'une cellule, à la place de cellules entières ; le budget compte leur longueur fois leur largeur. Avec "Combien de fois un pare-feu tient" flame, auto est la largeur avec laquelle les feux prennent le moins.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>

@@ -949,7 +949,7 @@
     </message>
     <message>
         <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Pianifica viali come linee di questa larghezza, ad es. 12m, anche minore di una cella, al posto di celle intere; il budget conta la loro lunghezza per la loro larghezza. Con «Quanto spesso un viale tiene» flame, auto è la larghezza con cui gli incendi bruciano meno.</translation>
+        <translation>Pianifica viali come linee di questa larghezza, ad es. 12m, anche minore di una cella, al posto di celle intere; il budget conta la loro lunghezza per la loro larghezza. Con "Quanto spesso un viale tiene" flame, auto è la larghezza con cui gli incendi bruciano meno.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>

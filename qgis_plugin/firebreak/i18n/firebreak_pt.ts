@@ -949,7 +949,7 @@
     </message>
     <message>
         <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Planeia aceiros como linhas desta largura, p. ex. 12m, também menor do que uma célula, em vez de células inteiras; o orçamento conta o seu comprimento vezes a sua largura. Com «Com que frequência um aceiro segura o fogo» flame, auto é a largura com que os fogos queimam menos.</translation>
+        <translation>Planeia aceiros como linhas desta largura, p. ex. 12m, também menor do que uma célula, em vez de células inteiras; o orçamento conta o seu comprimento vezes a sua largura. Com "Com que frequência um aceiro segura o fogo" flame, auto é a largura com que os fogos queimam menos.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>
