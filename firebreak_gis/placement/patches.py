@@ -69,7 +69,9 @@ class Patches:
     shape
         (rows, cols).
     links, capacity, cost, ignition, value
-        As of `edges.links` and `capacities`; cost, and shares of the ignition and value mass of the landscape.
+        As of `edges.links` and `capacities`; cost, ignition and value of the cells.
+    ignitions, values
+        Sums of ignition and value over the landscape.
     angles, shares
         (n, 1) directions in which walls are sought, from east to south; shares that the ends hold.
     periodic
@@ -84,6 +86,8 @@ class Patches:
     cost: np.ndarray
     ignition: np.ndarray
     value: np.ndarray
+    ignitions: float
+    values: float
     angles: np.ndarray
     shares: np.ndarray
     periodic: bool
@@ -102,14 +106,15 @@ class Patches:
         coarse_from: int,
     ) -> Patches:
         """Of a network; parameters as in `dissection.dissect`."""
-        ignition, value = stakes.ignition.ravel(), stakes.value.ravel()
         return cls(
             network.shape,
             links(network).ravel(),
             capacities(network, stakes, width, leaky=leaky).ravel(),
             stakes.cost.ravel(),
-            ignition / max(ignition.sum(), 1e-300),
-            value / max(value.sum(), 1e-300),
+            stakes.ignition.ravel(),
+            stakes.value.ravel(),
+            max(float(stakes.ignition.sum()), 1e-300),
+            max(float(stakes.value.sum()), 1e-300),
             np.pi * np.arange(directions)[:, None] / directions,
             np.asarray(shares),
             network.boundary == "periodic",
@@ -118,7 +123,7 @@ class Patches:
 
     def loss(self, cells: np.ndarray) -> float:
         """Expected loss of a patch, a share of that of the whole."""
-        return float(self.ignition[cells].sum() * self.value[cells].sum())
+        return float(self.ignition[cells].sum() / self.ignitions * (self.value[cells].sum() / self.values))
 
     def connected(self, cells: np.ndarray) -> list[np.ndarray]:
         """Cells of each connected piece."""
@@ -140,7 +145,7 @@ class Patches:
         return patch_links(cells, self.links, *self.shape, _ROW_STEP, _COL_STEP)  # type: ignore[no-any-return]
 
     def _masses(self, cells: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        return self.capacity[cells], self.ignition[cells], self.value[cells]
+        return self.capacity[cells], self.ignition[cells] / self.ignitions, self.value[cells] / self.values
 
     def _coarse_wall(self, cells: np.ndarray) -> np.ndarray | None:
         """Mark of the wall, as `flow.best_cut` sets it, found coarsely and made exact; None if that finds none."""
