@@ -11,6 +11,7 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import hashlib
+import math
 import os
 import pickle
 import weakref
@@ -31,9 +32,6 @@ if TYPE_CHECKING:
 
     Result = Mapping[str, np.ndarray]
     Work = Callable[..., Result]
-
-#: At most so many parts, whoever makes them; so many workers find something to do.
-_MOST_PARTS = 256
 
 
 @dataclass
@@ -144,14 +142,19 @@ def spread(
 
 
 def ranges(n: int, least: int) -> list[tuple[int, int]]:
-    """Split 0 to `n` into ranges of at least `least`, at most `_MOST_PARTS`, whoever will make them.
+    """Split 0 to `n` into ranges, whoever will make them.
+
+    They have at least `least`, and grow with half the root of `n`: so there is something to do for many workers, and
+    not much more to send.
 
     Examples
     --------
     >>> ranges(20, 8)
     [(0, 8), (8, 16), (16, 20)]
+    >>> len(ranges(100_000, 8))
+    633
     """
-    size = max(least, -(-n // _MOST_PARTS))
+    size = max(least, math.isqrt(n) // 2)
     return [(first, min(first + size, n)) for first in range(0, n, size)]
 
 

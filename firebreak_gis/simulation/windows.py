@@ -9,7 +9,7 @@ map, so windows of any size, on any thread, give the fires of the whole map, run
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol, cast
@@ -21,7 +21,7 @@ from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.progress import silent
 from firebreak_gis.simulation.durations import ENDLESS
-from firebreak_gis.simulation.engine import in_use, spread, using
+from firebreak_gis.simulation.engine import in_use, ranges, spread, using
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.products import Products
 from firebreak_gis.simulation.window import Window, tiles
@@ -232,7 +232,22 @@ def window_work(
 _Batch = tuple[np.ndarray, int]
 
 
-def window_part(
+def window_part(batches: Sequence[_Batch], **work: Any) -> dict[str, np.ndarray]:
+    """Burn runs in windows of a map, one after the other.
+
+    Returns
+    -------
+    dict
+        `cells` of the map that burn and `counts`, how often; `runs` that are through, with `sizes` and `contained`;
+        and those that need a `larger` window, with the number of the batch that each is `of`.
+    """
+    made = [_burn_window(batch, **work) for batch in batches]
+    for k, each in enumerate(made):
+        each["of"] = np.full(each["larger"].size, k)
+    return {name: np.concatenate([each[name] for each in made]) for name in made[0]}
+
+
+def _burn_window(
     batch: _Batch,
     *,
     source: MapSource,
@@ -242,14 +257,7 @@ def window_part(
     threads: int | None,
     progress: Progress,
 ) -> dict[str, np.ndarray]:
-    """Burn runs in a window of a map.
-
-    Returns
-    -------
-    dict
-        `cells` of the map that burn and `counts`, how often; `runs` that are through, with `sizes` and `contained`;
-        and those that need a `larger` window.
-    """
+    """Burn runs in a window; returns what `window_part` does."""
     from firebreak_gis.simulation.timed import burn_timed, containment
 
     runs, side = batch
@@ -326,31 +334,35 @@ class _Work:
 
     def burn(self, batches: list[_Batch], threads: int | None) -> list[_Batch]:
         """Burn runs in windows of about the side of each batch; return those that need a larger one, with it."""
-        again: dict[int, _Batch] = {}
+        alone = in_use() is None
+        pieces = (
+            [batches[first:last] for first, last in ranges(len(batches), 1)] if not alone else [[b] for b in batches]
+        )
+        again: dict[int, list[_Batch]] = {}
 
         def take(i: int, part: Mapping[str, np.ndarray]) -> None:
             with self._lock:
-                self._counts[part["cells"]] += part["counts"]
+                # A cell may burn in several windows of a part.
+                np.add.at(self._counts, part["cells"], part["counts"])
                 self._sizes[part["runs"]] = part["sizes"]
                 self._contained[part["runs"]] = part["contained"]
                 self._done += part["runs"].size
-                if part["larger"].size:
-                    again[i] = (part["larger"], 2 * batches[i][1])
+                again[i] = [(part["larger"][part["of"] == k], 2 * pieces[i][k][1]) for k in np.unique(part["of"])]
 
         def report(share: float, message: str) -> None:  # noqa: ARG001
             self._progress(self._done / self._request.n_runs, "burning windows")
 
-        if in_use() is None:
+        if alone:
             run_pieces(
-                lambda i: take(i, window_part(batches[i], threads=1, progress=silent, **self._shared)),
-                range(len(batches)),
+                lambda i: take(i, window_part(pieces[i], threads=1, progress=silent, **self._shared)),
+                range(len(pieces)),
                 threads=threads,
                 progress=report,
                 message="burning windows",
             )
         else:
-            spread(window_part, batches, self._shared, take=take, threads=threads, progress=report)
-        return [again[i] for i in sorted(again)]
+            spread(window_part, pieces, self._shared, take=take, threads=threads, progress=report)
+        return [batch for i in sorted(again) for batch in again[i]]
 
     def burns(self, fuel: SpreadNetwork) -> xr.Dataset:
         """The result as `fires.burn` returns it."""
