@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -70,6 +70,12 @@ class Offers:
         stopped = [stops(each[0][fuel], 1.0, met, self.probability).sum() for each in filled]
         worth = [share / max(each[2][fuel].sum(), 1e-12) for share, each in zip(stopped, filled, strict=True)]
         return np.asarray(filled[int(np.argmax(worth))])
+
+    def alone(self, name: str) -> Offers:
+        """What one of the treatments offers, as if there were no other."""
+        table = self.treatments
+        rows = {key: row for key, row in table.rows.items() if key[0] == name}
+        return replace(self, treatments=replace(table, rows=rows))
 
     @property
     def grid(self) -> Grid:

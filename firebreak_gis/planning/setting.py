@@ -83,6 +83,11 @@ class Setting:
         """(rows, cols) lost where a cell burns; None where nothing is at stake but its area."""
         return None if self.planes.value is None else self.stakes.value
 
+    def offering(self, offers: Offers) -> Setting:
+        """The same with other treatments, by which the stakes are priced."""
+        stakes = priced(self.planes, offers, self.request.design.amount).on(self.network)[1]
+        return replace(self, offers=offers, stakes=stakes)
+
     @property
     def price(self) -> np.ndarray | None:
         """(rows, cols) cost of treating each cell, existing breaks too; None where it is not known."""

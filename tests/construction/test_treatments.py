@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from importlib import resources
 
 import numpy as np
 import pytest
@@ -11,12 +12,14 @@ from rasterio.features import geometry_mask
 
 import firebreak_gis as fb
 from firebreak_gis import rank, select_breaks, spread_network
+from firebreak_gis.breaks import Budget
 from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.construction.treating import with_treatments
 from firebreak_gis.construction.treatments import Treatments, choose, read_treatments, spend, stops, totals
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.kernels.terrain import horn_slope
-from firebreak_gis.planning.treating import offers_of
+from firebreak_gis.planning.designs.treated import TreatedCells, trial_loss
+from firebreak_gis.planning.treating import offers_of, treat
 from firebreak_gis.schema import VEGETATION
 
 HEAD = "name,vegetation,residual,cost_ha,cost_per_degree,years,max_slope_deg\n"
@@ -312,3 +315,34 @@ def test_plan_shows_them(tmp_path):
             assert row["segments"] == (frame["treatment"] == name).sum()
     assert "Treatment" in (tmp_path / "treated" / "report.html").read_text()
     assert "treatment" not in gpd.read_file(tmp_path / "plain" / "segments.gpkg", layer="polygons")
+
+
+@pytest.mark.parametrize(("money", "timeless"), [(150_000.0, False), (60_000.0, True)])
+def test_the_table_never_loses_more_than_a_single_treatment_for_the_same_money(sample, tmp_path, money, timeless):
+    """On the fires of the design; and the plan of a single treatment is the one that a table of it alone gives."""
+    given = {"budget": money, "budget_unit": "cost", "method": "compartments", "n_runs": 30, "timeless": timeless}
+    text = (resources.files("firebreak_gis.construction") / "treatments.csv").read_text("utf-8").splitlines()
+    made = fb.plan(sample, treatments="default", **given)
+    setting = made.design.setting
+    loss = trial_loss(setting, made.design)
+    assert made.summary["cost"] <= money
+    lost = {}
+    for name in setting.offers.treatments.names:
+        rows = "\n".join(line for line in text[1:] if line.startswith(f"{name},"))
+        alone = fb.plan(sample, treatments=written(tmp_path, rows, head=text[0] + "\n"), **given)
+        lost[name] = trial_loss(setting, alone.design)
+    assert loss <= min(lost.values()) * (1 + 1e-12)
+    assert loss < max(lost.values())
+
+
+def test_with_a_budget_in_cells_no_single_treatment_that_costs_less_saves_more(sample):
+    made = fb.plan(sample, treatments="default", budget=0.08, method="compartments", n_runs=30)
+    setting, cost, seen = made.design.setting, made.summary["cost"], 0
+    for name in setting.offers.treatments.names:
+        alone = setting.offering(setting.offers.alone(name))
+        treated = treat(alone.offers, made.network, alone.stakes, made.breaks, made.priority, Budget(0.08))
+        if float(treated.segments.polygons["treatment_cost"].sum()) <= cost:
+            other = TreatedCells(alone, made.priority, made.breaks, treated)
+            assert trial_loss(setting, other) >= trial_loss(setting, made.design)
+            seen += 1
+    assert seen

@@ -6,8 +6,8 @@ A module of this package has
 * `asked(request)`: whether a `DesignRequest` asks for it; without it, it always is;
 * `make(setting, rest, progress)`: the `Design`; `rest(setting, progress)` makes that of the kinds further in, which it
   may call as often as it likes, in settings of its own (with other ignitions, say), or not at all;
-* and, if it needs them, `require(request)`, which refuses what it cannot be asked for beside, and `RANKINGS`, how many
-  rankings it takes in place of one.
+* and, if it needs them, `require(request)`, which refuses what it cannot be asked for beside, and `rankings(request)`,
+  how many rankings it takes in place of one.
 
 So a kind may stand in the place of others (lines for cells), choose among several (the worst tenth), or add to one
 (treatments). `planning.pipeline` knows none of them.
@@ -137,7 +137,7 @@ def _made(chain: Sequence[ModuleType], setting: Setting, progress: Progress) -> 
 
 def rankings(request: DesignRequest) -> int:
     """How many rankings a design takes."""
-    return math.prod(getattr(kind, "RANKINGS", 1) for kind in asked_for(request))
+    return math.prod(kind.rankings(request) for kind in asked_for(request) if hasattr(kind, "rankings"))
 
 
 def require(request: PlanRequest) -> None:

@@ -15,12 +15,16 @@ if TYPE_CHECKING:
     from firebreak_gis.stakes import Stakes
 
 ORDER = 20
-RANKINGS = N_DESIGNS
 
 
 def asked(request: DesignRequest) -> bool:
     """Whether that is the goal."""
     return request.goal == "worst-tenth"
+
+
+def rankings(_: DesignRequest) -> int:
+    """Several designs, of which the best is taken."""
+    return N_DESIGNS
 
 
 def make(setting: Setting, rest: Rest, progress: Progress) -> Design:
