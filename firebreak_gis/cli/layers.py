@@ -121,6 +121,24 @@ def read_breaks(source: str, grid: Grid, session: Session) -> np.ndarray:
     return mask
 
 
+def read_kept(source: str, residual: Any, network: SpreadNetwork) -> np.ndarray:
+    """Read what treated cells keep, (rows, cols), which must lie on the grid of the network.
+
+    Raises
+    ------
+    ParameterError
+        If one share for all cells is given as well.
+    InputError, GridError
+        If the raster is something else, or lies on another grid.
+    """
+    from firebreak_gis.rasters import read_variable, require_role
+
+    if residual:
+        raise ParameterError("--kept tells what each cell keeps, --residual what all do; give one of them")
+    require_role(source, "kept_share")
+    return network.plane(read_variable(source, "kept_share"), f"--kept {source}")
+
+
 def read_priority(source: str, session: Session, *, foreign: bool) -> xr.DataArray:
     """Read a ranking; one that `firebreak rank` did not write must be confirmed, and be plausible.
 

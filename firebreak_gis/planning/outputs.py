@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from firebreak_gis.construction.writing import write_breaks, write_compartments, write_segments
 from firebreak_gis.files import write_text
 from firebreak_gis.files.outputs import Output, Writing, labels, names, write_all
@@ -14,6 +16,7 @@ from firebreak_gis.landscape.folder import OUTPUTS as LAYERS
 from firebreak_gis.manifest import account, provenance, told
 from firebreak_gis.progress import Progress
 from firebreak_gis.rasters import files_behind, write_raster
+from firebreak_gis.schema import annotate
 from firebreak_gis.vectors import write_vector
 
 if TYPE_CHECKING:
@@ -23,7 +26,9 @@ if TYPE_CHECKING:
     from firebreak_gis.planning.made import Plan
 
 
-def _raster(name: str, label: str, get: Callable[[Plan], xr.DataArray], *, main: bool = False) -> Output[Plan]:
+def _raster(
+    name: str, label: str, get: Callable[[Plan], xr.DataArray], *, needs: str = "", main: bool = False
+) -> Output[Plan]:
     def write(plan: Plan, path: Path, how: Writing) -> None:
         write_raster(
             path,
@@ -34,7 +39,7 @@ def _raster(name: str, label: str, get: Callable[[Plan], xr.DataArray], *, main:
             creation_options=how.creation_options,
         )
 
-    return Output(name, label, write, main=main)
+    return Output(name, label, write, needs, main)
 
 
 def _table(name: str, label: str, get: Callable[[Plan], pd.DataFrame]) -> Output[Plan]:
@@ -81,7 +86,8 @@ def _existing(plan: Plan, path: Path, how: Writing) -> None:
 
 def _present(plan: Plan) -> set[str]:
     """What of `Output.needs` there is."""
-    return {str(name) for name in plan.landscape} | ({"existing"} if plan.standing is not None else set())
+    there = {"existing": plan.standing is not None, "kept_share": np.ndim(plan.judged.fires.residual) > 0}
+    return {str(name) for name in plan.landscape} | {name for name, made in there.items() if made}
 
 
 def _overview(plan: Plan, path: Path, how: Writing) -> None:
@@ -107,6 +113,11 @@ def _page(plan: Plan, path: Path, how: Writing) -> None:
     files = [(name, label) for name, label in labels(OUTPUTS).items() if name in present]
     text = render(plan_page(parts, told("plan", how, _account(plan)) | {"files": files}))
     write_text(path, text, overwrite=how.overwrite)
+
+
+def _kept(plan: Plan) -> xr.DataArray:
+    kept = np.where(plan.network.burnable, plan.judged.fires.residual, np.nan)
+    return annotate(plan.network.grid.dataarray(kept, "kept_share"))
 
 
 def _note(plan: Plan) -> dict[str, str]:
@@ -145,6 +156,7 @@ OUTPUTS: tuple[Output[Plan], ...] = (
     *(layer.of(lambda plan: plan.landscape) for layer in LAYERS),
     _raster("priority.tif", "Cutting priority", lambda plan: plan.priority),
     _raster("breaks.tif", "Fire breaks", lambda plan: plan.breaks, main=True),
+    _raster("kept.tif", "What each cell would keep of its spread once treated", _kept, needs="kept_share"),
     _raster("burn_frequency.tif", "Burn frequency without breaks", lambda plan: plan.before["burn_frequency"]),
     _raster(
         "burn_frequency_with_breaks.tif",

@@ -189,13 +189,8 @@ def burn_windows(
     """
     from firebreak_gis.simulation.fires import resolved
 
-    if side < 16 or side & (side - 1):
-        raise ParameterError(f"windows have a side of {side} cells, expected a power of two of at least 16")
-    if request.holding.share is None:
-        raise ParameterError("breaks that hold by flames need the map as a whole; give --hold a share, or no windows")
+    _require_windows(request, side)
     fuel = fuel_map(source)
-    if request.called is not None:
-        raise ParameterError("the way of crews needs the map as a whole; leave the stations out, or the windows")
     work = _Work(source, request, resolved(fuel, request), progress or silent)
     batches = work.windows(side)
     while batches:
@@ -216,6 +211,7 @@ def window_work(
     """
     from firebreak_gis.simulation.fires import resolved
 
+    _require_windows(request, side)
     work = _Work(source, request, resolved(fuel_map(source), request), silent)
     windows = work.windows(side)
 
@@ -226,6 +222,16 @@ def window_work(
                 waiting = work.burn(waiting, 1)
 
     return [runs.size for runs, _ in windows], burn
+
+
+def _require_windows(request: FireRequest, side: int) -> None:
+    """Refuse what windows of a side cannot burn, see `burn_windows`."""
+    if side < 16 or side & (side - 1):
+        raise ParameterError(f"windows have a side of {side} cells, expected a power of two of at least 16")
+    if request.holding.share is None:
+        raise ParameterError("breaks that hold by flames need the map as a whole; give --hold a share, or no windows")
+    if request.called is not None:
+        raise ParameterError("the way of crews needs the map as a whole; leave the stations out, or the windows")
 
 
 #: Numbers of runs, and the side of the window in which they burn first.

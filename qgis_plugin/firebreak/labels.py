@@ -23,6 +23,7 @@ LABELS: Mapping[str, str] = {
     "refine": "Improve the breaks on simulated fires (takes longer)",
     "width": "Least width of the breaks [m]",
     "residual": "Share of the spread that a break lets through",
+    "kept": "What treated cells keep of their spread (kept.tif)",
     "treatments": "Treatments (CSV, or default)",
     "residuals": "Shares that breaks let through, separated by commas",
     "cost": "Cost of cutting per hectare",

@@ -346,3 +346,37 @@ def test_with_a_budget_in_cells_no_single_treatment_that_costs_less_saves_more(s
             assert trial_loss(setting, other) >= trial_loss(setting, made.design)
             seen += 1
     assert seen
+
+
+def test_burn_repeats_a_plan_with_treatments(tmp_path):
+    """What the cells keep goes from the plan to burn as a raster, and nothing is lost on the way."""
+    import rasterio
+    from click.testing import CliRunner
+
+    from firebreak_gis.cli import firebreak
+
+    def run(*words, code=0):
+        outcome = CliRunner().invoke(firebreak, [str(word) for word in words])
+        assert outcome.exit_code == code, outcome.output
+        return outcome.output
+
+    layers = [f"sample_data/{name}.tif" for name in ("dem", "vegetation", "density")]
+    plan, net, again = tmp_path / "plan", tmp_path / "net.tif", tmp_path / "again.tif"
+    fires = ("--runs", 12, "--seed", 4, "--duration", "5h", "--hold", 0.5)
+    quick = ("--res", 100, "--budget", 0.08, "--method", "compartments", *fires)
+    run("plan", *layers, *quick, "--treatments", "default", "-o", plan)
+    run("network", plan, "--clock", "-o", net)
+    burn = ("burn", net, "--breaks", plan / "breaks.tif", "--kept", plan / "kept.tif", *fires)
+    run(*burn, "-o", again)
+    with rasterio.open(again) as mine, rasterio.open(plan / "burn_frequency_with_breaks.tif") as theirs:
+        np.testing.assert_array_equal(mine.read(), theirs.read())
+    windows = tmp_path / "windows.tif"
+    run(*burn, "--window", 32, "-o", windows)
+    assert windows.read_bytes() == again.read_bytes()
+    assert "power of two" in run(*burn, "--window", 40, "-o", windows, "--overwrite", code=2)
+    told = run("burn", net, "--kept", plan / "kept.tif", "--residual", 0.1, "-o", tmp_path / "no.tif", code=2)
+    assert "give one of them" in told
+    told = run("burn", net, "--kept", plan / "breaks.tif", "-o", tmp_path / "no.tif", code=3)
+    assert "is it the right file?" in told
+    run("plan", *layers, *quick, "-o", plan, "--overwrite")
+    assert not (plan / "kept.tif").exists()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +10,7 @@ import click
 
 from firebreak_gis.cli import filters, fire_options, kinds, options, outputs, weather_options
 from firebreak_gis.cli.engine_options import engine
-from firebreak_gis.cli.layers import checked_fires, input_files, read_breaks, read_line_breaks
+from firebreak_gis.cli.layers import checked_fires, input_files, read_breaks, read_kept, read_line_breaks
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
@@ -51,6 +51,13 @@ STEP = 7
 )
 @click.option("--sizes", type=kinds.NEW_TABLE, metavar="FILE", help="Also write the fire sizes as CSV.")
 @options.residual
+@click.option(
+    "--kept",
+    type=kinds.RASTER,
+    metavar="RASTER",
+    help="What each cell keeps of its spread probability once it is treated, in place of one --residual for all: "
+    "kept.tif of a plan with treatments.",
+)
 @options.fires
 @fire_options.window
 @fire_options.clock
@@ -73,6 +80,7 @@ def command(
     weather: WeatherRequest,
     mask: str | None,
     line_width: float | str | None,
+    kept: str | None,
     barriers: str | None,
     sizes: str | None,
     products: str | None,
@@ -107,7 +115,7 @@ def command(
     folder = Path(network)
     given = [str(file) for file in folder.glob("*.tif")] if folder.is_dir() else [network]
     given += input_files([*spread.sources, *weather.sources])
-    inputs = files_behind(filter(None, (*given, mask, barriers, *fires.sources)))
+    inputs = files_behind(filter(None, (*given, mask, kept, barriers, *fires.sources)))
     files = [output.output] + ([sizes] if sizes else [])
     for name in files:
         require_writable(name, overwrite=output.overwrite, forbid=inputs)
@@ -124,15 +132,18 @@ def command(
         untouched, ensemble = fuel_map(source), source.weather
     for sentence in account.warnings:
         session.warn(sentence)
-    kept = None
+    wanted = None
     if products:
         flames = () if untouched.heat is None else tuple(flame_lengths)
-        kept = Products(tuple(by), (0.1, 0.5), tuple(size_classes), flames, paths=True)
-    if products and kept:
+        wanted = Products(tuple(by), (0.1, 0.5), tuple(size_classes), flames, paths=True)
+    if products and wanted:
         untouched.require_times("--products")
-        made = [str(Path(products) / name) for name in product_files(kept, referenced=untouched.grid.crs is not None)]
+        made = [str(Path(products) / name) for name in product_files(wanted, referenced=untouched.grid.crs is not None)]
         for name in made:
             require_writable(name, overwrite=output.overwrite, forbid=inputs)
+    asked = fires
+    if kept:
+        fires = replace(fires, residual=read_kept(kept, fires.residual, untouched))
     checked = checked_fires(fires, untouched, session)
     cut = _breaks(mask, line_width, untouched.grid, session)
     barred = None
@@ -140,10 +151,10 @@ def command(
         barred = mask_plane(barriers, untouched.grid, what="barriers", rule="touched", solid=True)
     share_done = part(session.progress, 0.02, 0.98)
     if source is None:
-        each = fire_seconds(Ground(untouched, networks, barred), checked, passes=1, breaks=cut, products=kept)
+        each = fire_seconds(Ground(untouched, networks, barred), checked, passes=1, breaks=cut, products=wanted)
         session.foresee(Estimate({"fires": checked.n_runs * each}))
         walls: dict[str, Any] = {"breaks": cut, "barriers": barred}
-        burns = burn(untouched, checked, weather=networks, products=kept, progress=share_done, **walls)
+        burns = burn(untouched, checked, weather=networks, products=wanted, progress=share_done, **walls)
     else:
         source.breaks, source.barriers = cut, barred
         side = window or SIDE
@@ -153,8 +164,9 @@ def command(
     # What makes no difference is not told, so that equal fires have equal files as fields are added.
     usual = ("ignitions", "ignition_mode", "n_runs", "residual")
     default = asdict(FireRequest(seed=fires.seed))
-    told = {key: value for key, value in asdict(fires).items() if key in usual or value != default[key]}
+    told = {key: value for key, value in asdict(asked).items() if key in usual or value != default[key]}
     told |= {} if line_width is None else {"line_width": line_width}
+    told |= {} if kept is None else {"kept": True}
     tags = provenance({**told, "breaks": mask is not None}, seed=fires.seed)
     if not fires.timeless or ensemble:
         tags["assumptions"] = "; ".join(assumptions)

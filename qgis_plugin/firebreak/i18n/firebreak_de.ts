@@ -1140,6 +1140,10 @@
         <translation>Schnittpriorität</translation>
     </message>
     <message>
+        <source>What each cell would keep of its spread once treated</source>
+        <translation>Was jede Zelle behandelt von ihrer Ausbreitung behielte</translation>
+    </message>
+    <message>
         <source>Burn frequency without breaks</source>
         <translation>Brandhäufigkeit ohne Schneisen</translation>
     </message>
@@ -1470,6 +1474,14 @@
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
         <translation>Nimmt "Brandschneisen" als Linien dieser Breite, z. B. 12m, oder der Breite in dieser Spalte; sie dürfen schmaler als eine Zelle sein und halten Feuer zwischen den Zellen auf, die sie trennen [sonst nehmen Linien jede Zelle, die sie berühren].</translation>
+    </message>
+    <message>
+        <source>What treated cells keep of their spread (kept.tif)</source>
+        <translation>Was behandelte Zellen von ihrer Ausbreitung behalten (kept.tif)</translation>
+    </message>
+    <message>
+        <source>What each cell keeps of its spread probability once it is treated, in place of one "Share of the spread that a break lets through" for all: kept.tif of a plan with treatments.</source>
+        <translation>Was jede Zelle von ihrer Ausbreitungswahrscheinlichkeit behält, wenn sie behandelt ist, statt eines "Anteil der Ausbreitung, den eine Schneise durchlässt" für alle: kept.tif eines Plans mit Behandlungen.</translation>
     </message>
     <message>
         <source>Side of the windows in which a large map is read [cells]</source>

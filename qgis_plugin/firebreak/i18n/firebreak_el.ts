@@ -1140,6 +1140,10 @@
         <translation>Προτεραιότητα κοπής</translation>
     </message>
     <message>
+        <source>What each cell would keep of its spread once treated</source>
+        <translation>Τι θα κρατούσε κάθε κελί από την εξάπλωσή του μετά τον χειρισμό</translation>
+    </message>
+    <message>
         <source>Burn frequency without breaks</source>
         <translation>Συχνότητα καύσης χωρίς ζώνες</translation>
     </message>
@@ -1470,6 +1474,14 @@
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
         <translation>Παίρνει τις "Αντιπυρικές ζώνες" ως γραμμές αυτού του πλάτους, π.χ. 12m, ή του πλάτους σε αυτή τη στήλη· μπορεί να είναι στενότερες από ένα κελί και σταματούν τη φωτιά ανάμεσα στα κελιά που χωρίζουν [αλλιώς οι γραμμές παίρνουν κάθε κελί που αγγίζουν].</translation>
+    </message>
+    <message>
+        <source>What treated cells keep of their spread (kept.tif)</source>
+        <translation>Τι κρατούν από την εξάπλωση τα κελιά μετά τον χειρισμό (kept.tif)</translation>
+    </message>
+    <message>
+        <source>What each cell keeps of its spread probability once it is treated, in place of one "Share of the spread that a break lets through" for all: kept.tif of a plan with treatments.</source>
+        <translation>Τι κρατά κάθε κελί από την πιθανότητα εξάπλωσής του μετά τον χειρισμό, αντί για ένα "Ποσοστό της εξάπλωσης που αφήνει να περάσει μια ζώνη" για όλα: kept.tif ενός σχεδίου με χειρισμούς.</translation>
     </message>
     <message>
         <source>Side of the windows in which a large map is read [cells]</source>

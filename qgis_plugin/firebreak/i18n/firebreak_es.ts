@@ -1140,6 +1140,10 @@
         <translation>Prioridad de corta</translation>
     </message>
     <message>
+        <source>What each cell would keep of its spread once treated</source>
+        <translation>Lo que conservaría cada celda de su propagación una vez tratada</translation>
+    </message>
+    <message>
         <source>Burn frequency without breaks</source>
         <translation>Frecuencia de quema sin cortafuegos</translation>
     </message>
@@ -1470,6 +1474,14 @@
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
         <translation>Toma "Cortafuegos" como líneas de esta anchura, p. ej. 12m, o de la anchura en esa columna; pueden ser más estrechas que una celda y detienen el fuego entre las celdas que separan [si no, las líneas toman cada celda que tocan].</translation>
+    </message>
+    <message>
+        <source>What treated cells keep of their spread (kept.tif)</source>
+        <translation>Lo que conservan de su propagación las celdas tratadas (kept.tif)</translation>
+    </message>
+    <message>
+        <source>What each cell keeps of its spread probability once it is treated, in place of one "Share of the spread that a break lets through" for all: kept.tif of a plan with treatments.</source>
+        <translation>Lo que conserva cada celda de su probabilidad de propagación una vez tratada, en lugar de una sola "Proporción de la propagación que deja pasar un cortafuegos" para todas: kept.tif de un plan con tratamientos.</translation>
     </message>
     <message>
         <source>Side of the windows in which a large map is read [cells]</source>

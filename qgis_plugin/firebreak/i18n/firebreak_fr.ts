@@ -1140,6 +1140,10 @@
         <translation>Priorité de coupe</translation>
     </message>
     <message>
+        <source>What each cell would keep of its spread once treated</source>
+        <translation>Ce que chaque cellule garderait de sa propagation une fois traitée</translation>
+    </message>
+    <message>
         <source>Burn frequency without breaks</source>
         <translation>Fréquence de brûlage sans pare-feu</translation>
     </message>
@@ -1470,6 +1474,14 @@
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
         <translation>Prend "Pare-feu" comme lignes de cette largeur, p. ex. 12m, ou de la largeur dans cette colonne ; elles peuvent être plus étroites qu'une cellule et arrêtent le feu entre les cellules qu'elles séparent [sinon les lignes prennent chaque cellule qu'elles touchent].</translation>
+    </message>
+    <message>
+        <source>What treated cells keep of their spread (kept.tif)</source>
+        <translation>Ce que les cellules traitées gardent de leur propagation (kept.tif)</translation>
+    </message>
+    <message>
+        <source>What each cell keeps of its spread probability once it is treated, in place of one "Share of the spread that a break lets through" for all: kept.tif of a plan with treatments.</source>
+        <translation>Ce que chaque cellule garde de sa probabilité de propagation une fois traitée, à la place d'une seule "Part de la propagation qu'un pare-feu laisse passer" pour toutes : kept.tif d'un plan avec traitements.</translation>
     </message>
     <message>
         <source>Side of the windows in which a large map is read [cells]</source>

@@ -1140,6 +1140,10 @@
         <translation>Priorità di taglio</translation>
     </message>
     <message>
+        <source>What each cell would keep of its spread once treated</source>
+        <translation>Ciò che ogni cella conserverebbe della sua propagazione una volta trattata</translation>
+    </message>
+    <message>
         <source>Burn frequency without breaks</source>
         <translation>Frequenza di incendio senza viali</translation>
     </message>
@@ -1470,6 +1474,14 @@
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
         <translation>Prende "Viali tagliafuoco" come linee di questa larghezza, ad es. 12m, o della larghezza in quella colonna; possono essere più strette di una cella e fermano il fuoco tra le celle che separano [altrimenti le linee prendono ogni cella che toccano].</translation>
+    </message>
+    <message>
+        <source>What treated cells keep of their spread (kept.tif)</source>
+        <translation>Ciò che le celle trattate conservano della propagazione (kept.tif)</translation>
+    </message>
+    <message>
+        <source>What each cell keeps of its spread probability once it is treated, in place of one "Share of the spread that a break lets through" for all: kept.tif of a plan with treatments.</source>
+        <translation>Ciò che ogni cella conserva della sua probabilità di propagazione una volta trattata, al posto di una sola "Quota della propagazione che un viale lascia passare" per tutte: kept.tif di un piano con trattamenti.</translation>
     </message>
     <message>
         <source>Side of the windows in which a large map is read [cells]</source>

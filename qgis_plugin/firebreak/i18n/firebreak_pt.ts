@@ -1140,6 +1140,10 @@
         <translation>Prioridade de corte</translation>
     </message>
     <message>
+        <source>What each cell would keep of its spread once treated</source>
+        <translation>O que cada célula conservaria da sua propagação depois de tratada</translation>
+    </message>
+    <message>
         <source>Burn frequency without breaks</source>
         <translation>Frequência de queima sem aceiros</translation>
     </message>
@@ -1470,6 +1474,14 @@
     <message>
         <source>Take "Fire breaks" as lines of this width, such as 12m, or of the width in that column; they may be narrower than a cell, and stop fire between the cells that they part [default: lines take every cell that they touch].</source>
         <translation>Toma "Aceiros" como linhas desta largura, p. ex. 12m, ou da largura nessa coluna; podem ser mais estreitas do que uma célula e travam o fogo entre as células que separam [senão, as linhas tomam cada célula que tocam].</translation>
+    </message>
+    <message>
+        <source>What treated cells keep of their spread (kept.tif)</source>
+        <translation>O que as células tratadas conservam da sua propagação (kept.tif)</translation>
+    </message>
+    <message>
+        <source>What each cell keeps of its spread probability once it is treated, in place of one "Share of the spread that a break lets through" for all: kept.tif of a plan with treatments.</source>
+        <translation>O que cada célula conserva da sua probabilidade de propagação depois de tratada, em vez de uma só "Proporção da propagação que um aceiro deixa passar" para todas: kept.tif de um plano com tratamentos.</translation>
     </message>
     <message>
         <source>Side of the windows in which a large map is read [cells]</source>
