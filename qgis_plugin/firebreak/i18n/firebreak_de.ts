@@ -1481,7 +1481,7 @@
     </message>
     <message>
         <source>What each cell keeps of its spread probability once it is treated, in place of one "Share of the spread that a break lets through" for all: kept.tif of a plan with treatments.</source>
-        <translation>Was jede Zelle von ihrer Ausbreitungswahrscheinlichkeit behält, wenn sie behandelt ist, statt eines "Anteil der Ausbreitung, den eine Schneise durchlässt" für alle: kept.tif eines Plans mit Behandlungen.</translation>
+        <translation>Was jede Zelle von ihrer Ausbreitungswahrscheinlichkeit behält, wenn sie behandelt ist, statt eines "Anteil der Ausbreitung" für alle: kept.tif eines Plans mit Behandlungen.</translation>
     </message>
     <message>
         <source>Side of the windows in which a large map is read [cells]</source>
