@@ -7,7 +7,7 @@ river or the edge of the fuel. But for the sample the landscapes lie beside the 
 
 Cells fail by blocks of the map and lines by lengths, so the last column has what cells save where each wall fails by
 lengths along it, as lines do; beside it in brackets how much of that is their own ground, since cells under a line
-count as burnt.
+count as burnt. Those are walls that were not tried out on fires.
 """
 
 from __future__ import annotations
