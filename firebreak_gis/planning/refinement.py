@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -38,6 +39,8 @@ _TENURE = 7
 _PATIENCE = 10
 #: Cells that are left at most when the plan is disturbed.
 _MOST = 16
+#: How often a few fires alone decide at first what is cut then.
+_FEW_FIRES = 2 / 3
 
 
 class _CutSet:
@@ -255,7 +258,11 @@ def _exchange(plan: _CutSet, size: int, progress: Progress) -> float:
 
 
 def _disturb(plan: _CutSet, random: np.random.Generator, progress: Progress) -> float:
-    """Leave cells near each other, or anywhere, and spend the money by one of two scores; the loss then."""
+    """Leave cells near each other, anywhere, or most of them, and spend the money by one of two scores; the loss then.
+
+    Mostly a few of the fires alone decide at first: a plan that holds these in full is not found from one that holds
+    each of all a little.
+    """
     cells = plan.cells
     count = int(random.integers(2, min(max(cells.size // 2, 2), _MOST) + 1))
     order = random.permutation(cells)
@@ -263,8 +270,16 @@ def _disturb(plan: _CutSet, random: np.random.Generator, progress: Progress) -> 
         row, col = np.divmod(cells, plan.shape[1])
         at = random.integers(cells.size)
         order = cells[np.argsort(np.hypot(row - row[at], col - col[at]), kind="stable")]
+    if random.random() < 0.5:
+        count = min(cells.size, _MOST) if random.random() < 0.5 else max(min(cells.size * 3 // 4, _MOST), 1)
     plan.alive[order[:count]] = True
     kernel = dominated if random.random() < 0.5 else downstream
+    every = plan.fires
+    if every.keys.size > 1 and random.random() < _FEW_FIRES:
+        some = np.sort(random.permutation(every.keys.size)[: int(random.integers(1, every.keys.size))])
+        plan.fires = replace(every, keys=every.keys[some], cells=every.cells[some])
+        plan.spend(1, part(progress, 0.0, 0.0), kernel)
+        plan.fires = every
     plan.spend(1, part(progress, 0.0, 0.0), kernel)
     return plan.spend(1, part(progress, 0.5, 0.5))
 

@@ -240,20 +240,26 @@ def told(lines: list[Line]) -> str:
 
 
 def draw(lines: list[Line], file: Path) -> None:
-    """Every row as a point: the best of the plans without a clock against the default."""
+    """Every row as a point: the best of the plans without a clock against the default, by landscape and wind."""
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(figsize=(6.2, 5.6), layout="constrained")
-    for name, mark in zip(BREAKS, "os^D", strict=True):
-        of = [line for line in lines if line.row[3] == name]
-        axes.scatter([line.best for line in of], [line.new for line in of], marker=mark, s=36, alpha=0.8, label=name)
+    places = sorted({line.row[:2] for line in lines})
+    size = (1.2 + 3.9 * len(places), 4.9)
+    figure, panels = plt.subplots(1, len(places), figsize=size, layout="constrained", squeeze=False, sharey=True)
     ends = np.array([0.0, 100.0])
-    axes.plot(ends, ends, color="0.4", lw=1, label="as much")
-    axes.plot(ends, 1.25 * ends, color="0.4", lw=1, ls=":", label="a quarter more")
-    axes.set(xlim=(0, 100), ylim=(0, 100), aspect="equal")
-    axes.set_xlabel("saved by the best of five plans made without a clock [% of the burnt area]")
-    axes.set_ylabel("saved by the default, tried out on fires with a clock [%]")
-    axes.legend(title="breaks", frameon=False)
+    for axes, (place, wind) in zip(panels[0], places, strict=True):
+        here = [line for line in lines if line.row[:2] == (place, wind)]
+        for name, mark in zip(BREAKS, "os^D", strict=True):
+            of = [line for line in here if line.row[3] == name]
+            axes.scatter(
+                [line.best for line in of], [line.new for line in of], marker=mark, s=36, alpha=0.8, label=name
+            )
+        axes.plot(ends, ends, color="0.4", lw=1, label="as much")
+        axes.plot(ends, 1.25 * ends, color="0.4", lw=1, ls=":", label="a quarter more")
+        axes.set(xlim=(0, 100), ylim=(0, 100), aspect="equal", title=f"{place}, {wind}: {len(here)} of 24 rows")
+    panels[0][0].set_ylabel("saved by the default, tried out on fires with a clock [%]")
+    panels[0][0].legend(title="breaks", frameon=False)
+    figure.supxlabel("saved by the best of five plans made without a clock [% of the burnt area]", fontsize="medium")
     figure.savefig(file, dpi=110)
 
 
