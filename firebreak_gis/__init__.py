@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.planning.comparison import compare
     from firebreak_gis.planning.design import rank
+    from firebreak_gis.planning.lazy import lazy_network
     from firebreak_gis.planning.outputs import write_plan
     from firebreak_gis.planning.pipeline import plan
     from firebreak_gis.planning.years import YearsRequest
@@ -78,6 +79,7 @@ _HOMES = {
     "Hold": "simulation.holding",
     "ignition_places": "simulation.ignitions",
     "landscape_experiment": "evaluation.paper.landscape",
+    "lazy_network": "planning.lazy",
     "line_breaks": "landscape.lines",
     "methods": "plugins",
     "plan": "planning.pipeline",

@@ -82,15 +82,15 @@ def test_a_stop_from_the_keyboard_and_the_same_command_again(landscape, tmp_path
 
 def test_a_plan_that_was_stopped_goes_on(landscape, tmp_path, monkeypatch):
     """Fires on which designs are tried are kept as well, and the account does not tell who burnt."""
-    from firebreak_gis.planning import pipeline
+    from firebreak_gis.planning import burning
 
     given = [*landscape.words((*WHOLE["plan"], "--runs", "20"), tmp_path / "out"), "-q"]
-    real = pipeline.evaluate_fires
-    monkeypatch.setattr(pipeline, "evaluate_fires", lambda *_, **__: (_ for _ in ()).throw(KeyboardInterrupt))
+    real = burning.evaluate_fires
+    monkeypatch.setattr(burning, "evaluate_fires", lambda *_, **__: (_ for _ in ()).throw(KeyboardInterrupt))
     assert CliRunner().invoke(firebreak, [*given, "--resume"]).exit_code == 130
     assert [path.name for path in (tmp_path / "out").iterdir()] == [".parts"]
     kept = len(list((tmp_path / "out" / ".parts").iterdir()))
-    monkeypatch.setattr(pipeline, "evaluate_fires", real)
+    monkeypatch.setattr(burning, "evaluate_fires", real)
     outcome = CliRunner().invoke(firebreak, [*given[:-1], "--resume"])
     assert outcome.exit_code == 0, outcome.output
     assert f"{kept} parts of an earlier run were taken" in outcome.output
