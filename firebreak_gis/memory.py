@@ -54,6 +54,8 @@ _KEPT, _KEPT_THREAD = 400, 200
 BLOCK_CELLS, SOURCE_CELLS = 4_000_000, 8_000_000
 #: Bytes a cell of a map that is read by windows, and a cell of each window at work.
 _MAP, _WINDOW = 20, 700
+#: A process that burns what it was sent.
+_WORKER = Need(_COMPILED, 200)
 _STAGES: Mapping[str, tuple[Need, ...]] = {
     "align": (Need(_PLAIN, 81),),
     "network": (_MAKING,),
@@ -74,6 +76,7 @@ def bytes_for(
     products: bool = False,
     window: int | None = None,
     blocks: bool = False,
+    workers: int | None = None,
     threads: int | None = None,
 ) -> int:
     """Estimate the peak memory of a command.
@@ -94,12 +97,15 @@ def bytes_for(
         Side of the windows of the map that are read in turn; None: the map is read as a whole.
     blocks
         Whether a network is made by blocks of `BLOCK_CELLS`, or read by them while its probabilities stay on the disk.
+    workers
+        Processes of this machine that burn, each with the data in its own memory; none: the threads of this one.
     threads
-        See `workers.thread_count`.
+        See `threads.thread_count`.
     """
-    n_threads = thread_count(threads)
+    n_threads, others = thread_count(threads), workers or 0
     if window is not None:
-        return _COMPILED + cells * _MAP + n_threads * min(window**2, cells) * _WINDOW
+        in_windows = min(window**2, cells) * _WINDOW
+        return _COMPILED + cells * _MAP + n_threads * in_windows + others * (_COMPILED + in_windows)
     needed = []
     for stage in _STAGES[command]:
         together = min(cells, BLOCK_CELLS) if blocks else cells
@@ -110,7 +116,11 @@ def bytes_for(
             cell, thread = memory_of("ranking", name)
             work = Need(_COMPILED, _NETWORK - away * _PLANES + cell, thread)
             needed.append(work.bytes(cells, n_threads) + clock * (not away) * cells * _TIMES)
-    return max(needed) + products * cells * (_KEPT + n_threads * _KEPT_THREAD)
+    return (
+        max(needed)
+        + products * cells * (_KEPT + (n_threads + others) * _KEPT_THREAD)
+        + others * (_WORKER.bytes(cells, 1) + clock * cells * _TIMES)
+    )
 
 
 def _times(stage: Need) -> int:

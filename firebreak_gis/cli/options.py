@@ -130,6 +130,7 @@ def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -
         clock=clock,
         products=bool(given.get("products")),
         window=given.get("window"),
+        workers=given.get("workers"),
         blocks=work == "rank"
         or (work == "network" and not given.get("export") and plugins.halo_of(given["model"]) is not None),
     )
