@@ -115,11 +115,6 @@ def read(folder: Path) -> list[dict[str, Any]]:
     return list({(line["step"], line["cells"]): line for line in lines}.values())
 
 
-def slope(cells: Iterable[float], values: Iterable[float]) -> float:
-    """Exponent of the cells by which values grow, by least squares on logarithms."""
-    return float(np.polyfit(np.log(list(cells)), np.log(list(values)), 1)[0])
-
-
 def main(what: str, folder: str, *more: str) -> None:
     """Make, run or draw."""
     place = Path(folder)
@@ -133,7 +128,7 @@ def main(what: str, folder: str, *more: str) -> None:
     else:
         from tests.benchmarks.growth import draw
 
-        draw(read(place))
+        print(draw(read(place)))
 
 
 if __name__ == "__main__":
