@@ -16,6 +16,7 @@ from firebreak_gis.rasters.reading import (
     read_cells,
     read_raster,
     read_variable,
+    read_variables,
     require_role,
     variable_bands,
 )
@@ -34,6 +35,7 @@ __all__ = [
     "read_header",
     "read_raster",
     "read_variable",
+    "read_variables",
     "require_georeferenced",
     "require_role",
     "variable_bands",

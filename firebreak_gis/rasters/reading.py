@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -66,8 +66,10 @@ def read_cells(header: Header, window: Window | None = None, *, strict: bool = F
     InputError
         If the file is damaged, holds infinite values, or (`strict`) undeclared "no data".
     """
-    window = window or (0, 0, *header.shape)
-    values, valid = _stored(header, window)
+    return _settled(header, *_stored([header], window or (0, 0, *header.shape))[0], strict, sentinels)
+
+
+def _settled(header: Header, values: np.ndarray, valid: np.ndarray, strict: bool, sentinels: bool) -> Cells:
     notes, said = list(header.notes), list[str]()
     for value in header.nodata:
         valid &= ~is_value(values, value)
@@ -219,12 +221,7 @@ class VariableFile:
 
     def read(self, window: Window | None = None) -> np.ndarray:
         """Read the values, (rows, cols), or (directions, rows, cols); of a window of `grid`, if one is given."""
-        planes = []
-        for header in self._headers:
-            cells = read_cells(header, None if window is None else _stored_window(header, window), sentinels=False)
-            values, valid = (_north_up(header, plane) for plane in (cells.values, cells.valid))
-            planes.append(_as_variable(values, valid, self._variable, header.path))
-        return planes[0] if self._variable.dims[0] != "direction" else np.stack(planes)
+        return read_variables({"": self}, window)[""]
 
     def part(self, window: Window) -> Grid:
         """Return the grid of a window."""
@@ -232,6 +229,22 @@ class VariableFile:
 
         row, col, rows, cols = window
         return Grid((rows, cols), self.grid.transform * Affine.translation(col, row), self.grid.crs)
+
+
+def read_variables(files: Mapping[str, VariableFile], window: Window | None = None) -> dict[str, np.ndarray]:
+    """Read variables that lie in one file, each as `VariableFile.read` does; tiles of all bands are decoded once."""
+    headers = [header for file in files.values() for header in file._headers]
+    where = (0, 0, *headers[0].shape) if window is None else _stored_window(headers[0], window)
+    stored = iter(_stored(headers, where))
+    made = {}
+    for name, file in files.items():
+        planes = []
+        for header in file._headers:
+            cells = _settled(header, *next(stored), strict=False, sentinels=False)
+            values, valid = (_north_up(header, plane) for plane in (cells.values, cells.valid))
+            planes.append(_as_variable(values, valid, file._variable, header.path))
+        made[name] = planes[0] if file._variable.dims[0] != "direction" else np.stack(planes)
+    return made
 
 
 def require_role(path: str | os.PathLike[str], name: str, *, known: bool = False, remote: bool = False) -> bool:
@@ -276,29 +289,36 @@ def require_role(path: str | os.PathLike[str], name: str, *, known: bool = False
 TAG = "FIREBREAK_"
 
 
-def _stored(header: Header, window: Window) -> tuple[np.ndarray, np.ndarray]:
+def _stored(headers: Sequence[Header], window: Window) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Values of bands of one file as they are stored, and where its masks say that there is data."""
     row, col, rows, cols = window
-    if header.array is not None:
-        part = header.array[row : row + rows, col : col + cols]
-        return part.copy(), np.ones(part.shape, dtype=bool)
+    first = headers[0]
+    if first.array is not None:
+        part = first.array[row : row + rows, col : col + cols]
+        return [(part.copy(), np.ones(part.shape, dtype=bool))]
     from rasterio.errors import NotGeoreferencedWarning, RasterioError
     from rasterio.windows import Window as FileWindow
 
     where = FileWindow(col, row, cols, rows)
-    with open_raster(header.path, remote=header.remote) as source, warnings.catch_warnings():
+    alike = len({header.dtype for header in headers}) == 1
+    with open_raster(first.path, remote=first.remote) as source, warnings.catch_warnings():
         warnings.simplefilter("ignore", NotGeoreferencedWarning)
         try:
-            values = source.read(header.band, window=where)
-            valid = (
-                source.read_masks(header.band, window=where) != 0
-                if header.masked
-                else np.ones(values.shape, dtype=bool)
-            )
+            bands = [header.band for header in headers]
+            together = source.read(bands, window=where) if alike else [source.read(b, window=where) for b in bands]
+            return [
+                (
+                    values,
+                    source.read_masks(header.band, window=where) != 0
+                    if header.masked
+                    else np.ones(values.shape, dtype=bool),
+                )
+                for header, values in zip(headers, together, strict=True)
+            ]
         except (RasterioError, OSError) as error:
             raise InputError(
-                f"{header.path} is damaged or cut off: its values cannot be read; copy or export it again"
+                f"{first.path} is damaged or cut off: its values cannot be read; copy or export it again"
             ) from error
-    return values, valid
 
 
 def _grid_north_up(header: Header) -> Grid:

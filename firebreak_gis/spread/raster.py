@@ -22,7 +22,7 @@ from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.plugins import parameter
 from firebreak_gis.progress import silent
-from firebreak_gis.rasters import VariableFile, open_raster, variable_bands
+from firebreak_gis.rasters import VariableFile, open_raster, read_variables, variable_bands
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -96,7 +96,7 @@ class NetworkFile:
         return self._network(self._files, window)
 
     def _network(self, files: Mapping[str, VariableFile], window: Window | None) -> SpreadNetwork:
-        planes = {name: file.read(window) for name, file in files.items()}
+        planes = read_variables(files, window)
         values, burnable = _split(planes["spread_probability"])
         grid = self.grid if window is None else self._files["spread_probability"].part(window)
         return SpreadNetwork(
@@ -174,7 +174,7 @@ def probability(
         raise ParameterError("the spread model 'raster' needs path=..., a raster of 8 bands of probabilities")
     files = _files(params.path)
     Grid.of(landscape["burnable"]).require(files["spread_probability"].grid, params.path)
-    planes = {name: file.read() for name, file in files.items()}
+    planes = read_variables(files)
     return _split(planes["spread_probability"])[0], planes.get("travel_time"), planes.get("heat"), _account(files)
 
 

@@ -155,3 +155,23 @@ def test_ranking_on_the_disk_asks_for_less_memory():
     assert whole - disk == 32 * cells
     few = memory.BLOCK_CELLS
     assert memory.bytes_for("rank", few, method="degree", blocks=True) == memory.bytes_for("rank", few, method="degree")
+
+
+def test_all_bands_of_a_window_are_read_in_one_go(folder, tmp_path, monkeypatch):
+    """Bands lie cell by cell in the file: each look at it decodes the tiles of all of them."""
+    from firebreak_gis.rasters import reading
+
+    net = str(tmp_path / "net.tif")
+    wind = ["--wind-speed", "4", "--wind-from", "90"]
+    assert CliRunner().invoke(firebreak, ["network", str(folder), "-o", net, "--clock", *wind]).exit_code == 0
+    file, whole = NetworkFile(net), NetworkFile(net).read()
+    looks = []
+    opened = reading.open_raster
+    monkeypatch.setattr(reading, "open_raster", lambda *args, **more: looks.append(args) or opened(*args, **more))
+    part = file.read((40, 30, 50, 60))
+    assert len(looks) == 1
+    inner = (slice(None), slice(41, 89), slice(31, 89))  # edges end at the rims of a window
+    near = (slice(None), slice(1, 49), slice(1, 59))
+    for name in ("probability", "travel_time"):
+        np.testing.assert_array_equal(getattr(part, name)[near], getattr(whole, name)[inner])
+    np.testing.assert_array_equal(part.heat, whole.heat[40:90, 30:90])
