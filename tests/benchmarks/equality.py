@@ -152,7 +152,7 @@ def main() -> None:
                 told = f"not those of {', '.join(other)}" if other else "all"
                 lines.append(f"| {kind} | {count} | {files} | {told} | {took:.0f} |")
                 print(lines[-1], flush=True)
-    (given.output / "equality.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+                (given.output / "equality.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
     sys.exit(not equal)
 
 

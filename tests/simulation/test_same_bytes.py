@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 
+import click
 import pytest
 from click.testing import CliRunner
 
@@ -97,6 +98,15 @@ def test_a_plan_that_was_stopped_goes_on(landscape, tmp_path, monkeypatch):
     found = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
     run([*given[:-1], "--overwrite"])
     assert {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()} == found
+
+
+def test_every_command_with_runs_has_the_options():
+    context = click.Context(firebreak)
+    commands = [firebreak.get_command(context, name) for name in firebreak.list_commands(context)]
+    options = {command.name: {p.name for p in command.params} for command in commands}
+    burning = {name for name, given in options.items() if "n_runs" in given}
+    assert len(burning) > 7
+    assert all({"workers", "scheduler", "resume"} <= options[name] for name in burning)
 
 
 def test_what_cannot_be_is_refused(landscape, tmp_path):
