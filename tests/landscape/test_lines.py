@@ -244,6 +244,16 @@ def test_stretches_are_lengths_along_the_line_whatever_comes_later():
     np.testing.assert_array_equal(fewer.stretches(50.0)[kept], numbers[kept])
 
 
+def test_a_line_has_as_many_stretches_as_come_nearest_to_their_length():
+    grid = grid_of((9, 60))
+    for cells, count in ((10, 1), (14, 1), (16, 2), (24, 2), (26, 3), (50, 5)):
+        line = line_breaks(drawn([[(3.0, 4.0), (3.0 + cells, 4.0)]], grid), grid, width=5.0)
+        numbers, along = line.stretches(200.0)[line.width > 0], line.along[line.width > 0]
+        assert np.unique(numbers).size == count, cells
+        for k, number in enumerate(dict.fromkeys(numbers[np.argsort(along)].tolist())):
+            assert np.ptp(along[numbers == number]) <= 20.0 * cells / count, k
+
+
 def grid_place(grid, col, row):
     t = grid.transform
     return t.c + t.a * (col + 0.5), t.f + t.e * (row + 0.5)

@@ -11,6 +11,7 @@ from affine import Affine
 from firebreak_gis.breaks import select_breaks
 from firebreak_gis.kernels import draws
 from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.placement.choosing import Choice
 from firebreak_gis.placement.dissection import dissect
 from firebreak_gis.placement.parts import parts_of
 from firebreak_gis.placement.reinforcing import Layout, best_layout, closing, most_passed, reinforced
@@ -309,3 +310,26 @@ def test_influence_cuts_first_what_most_passes_and_looks_again():
     fresh = {"n_runs": 400, "first_run": 9000}
     at_random = select_breaks(rank(network, "random", stakes=stakes), budget=float(cut.sum() / network.n_burnable))
     assert trial.losses(cut, **fresh).mean() < trial.losses(at_random.to_numpy() > 0, **fresh).mean()
+
+
+class _Told:
+    """Fires whose losses are told: by design and first run."""
+
+    def __init__(self, losses):
+        self.losses_of, self.asked = losses, []
+
+    def runs(self, work):
+        return 10 if work >= 2e6 else 0
+
+    def losses(self, cut, *, n_runs, first_run=0):
+        self.asked.append((cut, n_runs, first_run))
+        return np.array([self.losses_of[cut][first_run > 0]])
+
+
+def test_designs_are_tried_in_turn_and_the_best_two_meet_other_fires():
+    trial = _Told({"a": (9.0, 0), "b": (5.0, 7.0), "c": (6.0, 1.0), "d": (8.0, 0), "e": (1.0, 0)})
+    choice = Choice(trial, 100, lambda design: design)
+    assert choice.rising("abcde") == "b"  # c and d are worse in a row
+    assert [cut for cut, _, _ in trial.asked] == list("abcd")
+    assert choice.chosen() == "c"  # looked worse than b on the first fires, loses less on all
+    assert trial.asked[4:] == [("b", 20, 10), ("c", 20, 10)]
