@@ -38,9 +38,10 @@ def draw(lines: Sequence[dict[str, Any]], folder: Path = RESULTS) -> str:
             ordered = sorted(found, key=lambda line: float(line["cells"]))
             cells, values = ([line[name] for line in ordered] for name in ("cells", what))
             axes.loglog(cells, np.array(values) * factor, "o-", label=step, markersize=4)
-        top = np.array(axes.get_xlim())
-        low = axes.get_ylim()[0]
-        axes.loglog(top, low * top / top[0], color="0.6", linestyle=":", linewidth=1, label="linear")
+        limits = axes.get_xlim(), axes.get_ylim()
+        span = np.array(limits[0])
+        axes.loglog(span, limits[1][0] * span / 3e5, color="0.6", linestyle=":", linewidth=1, label="linear")
+        axes.set(xlim=limits[0], ylim=limits[1])
         axes.set(xlabel="cells", ylabel=unit)
         axes.grid(alpha=0.3)
     figure.axes[1].legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.02, 1.0))
