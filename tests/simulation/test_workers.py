@@ -198,6 +198,27 @@ def test_a_stop_comes_through_at_once():
     assert min(took) < 2.0
 
 
+def test_workers_leave_parts_that_nobody_waits_for(workers):
+    """Those of a scheduler that stays are not killed: they find out by themselves."""
+    begun = []
+
+    def stop(share, message):
+        begun.append(time.monotonic())
+        if begun[-1] - begun[0] > 3.0:
+            raise Cancelled("enough")
+
+    def at_work(dask_worker):
+        return [task.key for task in dask_worker.state.tasks.values() if task.state in ("executing", "cancelled")]
+
+    client = workers.cluster._client
+    with engine.using(workers), pytest.raises(Cancelled):
+        simulate(network_of(shape=(1000, 1000)), n_runs=8000, duration="240h", progress=stop)
+    until = time.monotonic() + 10.0
+    while any(client.run(at_work).values()) and time.monotonic() < until:
+        time.sleep(0.1)
+    assert not any(client.run(at_work).values())
+
+
 def test_an_error_of_a_part_is_told(workers):
     with engine.using(workers), pytest.raises(InputError, match="outside the grid"):
         simulate(NETWORK, n_runs=10, ignitions=[(-50.0, 50.0)])
