@@ -121,11 +121,11 @@ def main() -> None:
     """Write equality.md; exit with 1 if any file differs."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--output", type=Path, default=Path(__file__).parent / "results", help="folder for the file")
-    parser.add_argument("--size", type=int, default=1200, help="rows and columns of the map that is burnt by windows")
-    parser.add_argument("--small", type=int, default=200, help="rows and columns of the map of the other commands")
+    parser.add_argument("--size", type=int, default=1100, help="rows and columns of the map that is burnt by windows")
+    parser.add_argument("--small", type=int, default=60, help="rows and columns of the map of the other commands")
     parser.add_argument("--windows", type=int, nargs="*", default=[256, 1024])
     parser.add_argument("--counts", type=int, nargs="*", default=[1, 2, 4])
-    parser.add_argument("--runs", default="64")
+    parser.add_argument("--runs", default="16")
     given = parser.parse_args()
     lines = ["| engine | of them | files | the same | seconds |", "|---|---|---|---|---|"]
     equal = True
