@@ -78,6 +78,7 @@ def test_options_that_pages_name_exist():
     """Options in running text, too: a renamed one must not live on in a page."""
     known = {flag for line in _flags(firebreak) for flag in line}
     foreign = {"--extra", "--only", "--huge", "--no-skips", "--output"}
+    foreign |= {"--rhodes", "--seconds"}  # tests.benchmarks.yardstick
     foreign |= {"--port", "--nworkers", "--nthreads", "--scheduler-file", "--ntasks", "--cpus-per-task"}  # dask, Slurm
     for page in PAGES:
         prose = re.sub(r"<!--.*?-->|--\w+-->", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
