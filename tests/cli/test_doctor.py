@@ -1,6 +1,9 @@
 """`firebreak doctor`: healthy here; what is missing is named, with exit code 6."""
 
 import json
+import re
+import tomllib
+from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
@@ -37,10 +40,18 @@ def test_a_missing_package_is_named(monkeypatch):
     assert "pip install no_such_package" in line["error"]["message"]
 
 
-def test_an_optional_package_is_only_warned_of(monkeypatch):
-    monkeypatch.setattr(doctor, "_WANTED", ("no_such_package",))
-    states = {c["name"]: c["state"] for c in json.loads(run("--json").stdout)["result"]["checks"]}
-    assert states["no_such_package"] == "warning"
+def test_it_looks_for_what_the_package_asks_for():
+    project = tomllib.loads(Path("pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert list(doctor._NEEDED) == [re.split("[><=[]", line)[0] for line in project["dependencies"]]
+    for extra, name in doctor._EXTRAS.items():
+        assert any(name in line for line in project["optional-dependencies"][extra])
+
+
+def test_an_extra_that_is_not_there_is_no_fault(monkeypatch):
+    monkeypatch.setattr(doctor, "_EXTRAS", {"more": "no_such_package"})
+    (check,) = [c for c in json.loads(run("--json").stdout)["result"]["checks"] if c["name"] == "extra more"]
+    assert check["state"] == "ok"
+    assert 'pip install ".[more]"' in check["text"]
 
 
 def test_foreign_data_of_proj_are_found_out(monkeypatch):

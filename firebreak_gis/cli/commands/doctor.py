@@ -20,7 +20,7 @@ from firebreak_gis.errors import FirebreakError, MissingComponentError
 from firebreak_gis.memory import DEFAULT_SHARE, memory_limit
 from firebreak_gis.threads import thread_count
 
-#: Packages that the program cannot do without, and those that single features want.
+#: Packages that the program cannot do without.
 _NEEDED = (
     "numpy",
     "scipy",
@@ -35,8 +35,11 @@ _NEEDED = (
     "pyogrio",
     "click",
     "matplotlib",
+    "pillow",
 )
-_WANTED = ("networkx",)
+_IMPORTED = {"pillow": "PIL"}
+#: Extras for those who run it, and a package that tells whether each is there.
+_EXTRAS = {"scale": "distributed", "maps": "folium"}
 #: Formats of rasters: written, and read where users have them.
 _DRIVERS_NEEDED = ("GTiff", "COG", "VRT")
 _DRIVERS_WANTED = ("AAIGrid", "LCP", "netCDF", "HFA")
@@ -103,13 +106,17 @@ def _answers(step: Callable[[], Iterator[Check]]) -> list[Check]:
 
 def _packages() -> Iterator[Check]:
     yield Check("firebreak_gis", "ok", f"{firebreak_gis.__version__}, Python {platform.python_version()}")
-    for name in _NEEDED + _WANTED:
+    for name in _NEEDED:
         try:
-            importlib.import_module(name)
+            importlib.import_module(_IMPORTED.get(name, name))
             yield Check(name, "ok", importlib.metadata.version(name))
         except (ImportError, OSError, importlib.metadata.PackageNotFoundError) as error:
-            state = "broken" if name in _NEEDED else "warning"
-            yield Check(name, state, f"cannot be loaded ({error}); pip install {name}")
+            yield Check(name, "broken", f"cannot be loaded ({error}); pip install {name}")
+    for extra, name in _EXTRAS.items():
+        try:
+            yield Check(f"extra {extra}", "ok", f"{name} {importlib.metadata.version(name)}")
+        except importlib.metadata.PackageNotFoundError:
+            yield Check(f"extra {extra}", "ok", f'not installed; what wants it says so; pip install ".[{extra}]"')
 
 
 def _formats() -> Iterator[Check]:
