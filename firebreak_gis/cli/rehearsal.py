@@ -111,12 +111,13 @@ def foresee(
     what = f"a landscape of {rows} x {cols} cells" if method is None else f"a plan of {rows} x {cols} cells by {method}"
     memory.require_memory(needed, what, max_memory=layers.max_memory)
     size = (_LAYER_BYTES if method is None else _PLAN_BYTES) * rows * cols + _OTHER_BYTES
+    scratch = _LAYER_BYTES * rows * cols if method is None and rows * cols > memory.BLOCK_CELLS else 0
     return Foreseen(
         found,
         needed,
         memory.allowed(layers.max_memory),
-        size,
-        _require_disk(Path(output.output), size, session),
+        size + scratch,
+        _require_disk(Path(output.output), size, scratch, session),
         tuple(str(Path(output.output) / name) for name in names(table, found.variables)),
     )
 
@@ -188,14 +189,15 @@ def require_outputs(output: OutputRequest, table: Sequence[Output[Any]], inputs:
     return how
 
 
-def _require_disk(folder: Path, size: int, session: Session) -> int:
-    """Bytes that are free where `folder` is or will be."""
+def _require_disk(folder: Path, size: int, scratch: int, session: Session) -> int:
+    """Bytes that are free where `folder` is or will be; outputs shrink, what is kept while the work lasts does not."""
     free = shutil.disk_usage(_standing(folder)).free
     told = f"the disk of {folder} has {memory.size(free)} free"
-    if free < size / _COMPRESSION:
-        raise OutputError(f"{told}, the outputs take {memory.size(size / _COMPRESSION)} or more; free some space")
-    if free < size:
-        session.warn(f"{told}, the outputs take up to {memory.size(size)}")
+    least, most = scratch + size / _COMPRESSION, scratch + size
+    if free < least:
+        raise OutputError(f"{told}, the work takes {memory.size(least)} or more; free some space")
+    if free < most:
+        session.warn(f"{told}, the work takes up to {memory.size(most)}")
     return free
 
 

@@ -191,7 +191,7 @@ def test_a_full_disk_is_seen_before_the_start(place, monkeypatch):
         assert "free some space" in outcome.output
     assert not (place / "out").exists()
     monkeypatch.setattr(shutil, "disk_usage", lambda _: usage._replace(free=2_000_000))
-    assert "has 2 MB free, the outputs take up to" in call("align", *LAYERS, "-o", "out").output
+    assert "has 2 MB free, the work takes up to" in call("align", *LAYERS, "-o", "out").output
 
 
 def test_a_dry_run_tells_what_the_run_will_do(place):

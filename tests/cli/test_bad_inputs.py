@@ -134,24 +134,25 @@ def several(f):
 
 
 def bomb(f):
-    with rasterio.open(
-        f / "dem.tif",
-        "w",
-        driver="GTiff",
-        height=90_000,
-        width=90_000,
-        count=1,
-        dtype="float32",
-        crs="EPSG:32635",
-        transform=square(),
-        tiled=True,
-        blockxsize=4096,
-        blockysize=4096,
-        compress="deflate",
-        sparse_ok=True,
-    ):
-        pass
-    rasterio.shutil.copy(f / "dem.tif", f / "vegetation.tif", driver="GTiff", SPARSE_OK="TRUE", COMPRESS="DEFLATE")
+    """Two files of a few hundred kB that say they hold 810,000 million cells."""
+    for name in ("dem.tif", "vegetation.tif"):
+        with rasterio.open(
+            f / name,
+            "w",
+            driver="GTiff",
+            height=900_000,
+            width=900_000,
+            count=1,
+            dtype="float32",
+            crs="EPSG:32635",
+            transform=square(0.5),
+            tiled=True,
+            blockxsize=4096,
+            blockysize=4096,
+            compress="deflate",
+            sparse_ok=True,
+        ):
+            pass
 
 
 LONG_NAME = "a b " + "\N{GREEK SMALL LETTER ALPHA}" * 90 + ".tif"
@@ -334,7 +335,7 @@ INPUTS = {
     ),
     "a folder": (folder_in_place, LAYERS, 3, ["is a folder"]),
     "missing": (None, ["nowhere.tif", *LAYERS[1:]], 3, ["nowhere.tif does not exist"]),
-    "a bomb": (bomb, [*PLAIN, "--max-memory", "4GB"], 5, ["90000 x 90000 cells needs about", "4.29 GB are allowed"]),
+    "a bomb": (bomb, PLAIN, 4, ["the work takes", "or more; free some space"]),
     "larger than allowed": (None, [*LAYERS, "--max-memory", "50MB"], 5, ["--max-memory"]),
     "VRT under another name": (virtual("dem.tif"), LAYERS, 3, ["name it .vrt"]),
     "VRT": (virtual("e.vrt"), ["e.vrt", *LAYERS[1:]], 0, ["elevation: copied"]),
@@ -400,7 +401,7 @@ def test_inputs(row, tmp_path, monkeypatch):
     (line,) = outcome.stdout.splitlines()
     error = json.loads(line)["error"]
     assert error["exit_code"] == code == outcome.exit_code
-    assert error["kind"] in {"input", "crs", "grid", "legend", "resource", "parameter"}
+    assert error["kind"] in {"input", "crs", "grid", "legend", "resource", "parameter", "output"}
     assert parts[0] in error["message"]
 
 
