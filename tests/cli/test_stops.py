@@ -41,7 +41,7 @@ COMMANDS = {
     "burn": "burn net.tif --duration 48h --runs 60000 -o f.tif",
     "burn --window": "burn net.tif --duration 48h --window 64 --runs 60000 -o w.tif",
     "assess": "assess net.tif wall.tif --runs 20000 -o a",
-    "delineate": "delineate land --size 60 --runs 60000 -o d",
+    "delineate": "delineate land --size 60 --runs 1000000 -o d",
     "validate": "validate land scar.tif --start start.tif --duration 12h --runs 60000 -o v",
     "calibrate": "calibrate scars.csv --runs 60000 -o fit.toml",
 }
