@@ -121,7 +121,7 @@ class Lines(Design):
         if not len(lines):
             return None
         parts = lines.groupby("stage")
-        shapes = [shapely.MultiLineString(list(each)) for _, each in parts.geometry]
+        shapes = [shapely.MultiLineString(list(shapely.get_parts(each.array))) for _, each in parts.geometry]
         walls = gpd.GeoDataFrame({"width_m": parts["width_m"].first().to_numpy()}, geometry=shapes, crs=lines.crs)
         grid = self.setting.network.grid
         return LineBreaks(walls, *links_crossed(walls, grid), grid)
