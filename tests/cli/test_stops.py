@@ -38,12 +38,12 @@ def place(tmp_path_factory, make_landscape):
 
 #: Minutes of work each.
 COMMANDS = {
-    "burn": "burn net.tif --duration 48h --runs 60000 -o f.tif",
-    "burn --window": "burn net.tif --duration 48h --window 64 --runs 60000 -o w.tif",
-    "assess": "assess net.tif wall.tif --runs 20000 -o a",
+    "burn": "burn net.tif --duration 48h --runs 200000 -o f.tif",
+    "burn --window": "burn net.tif --duration 48h --window 64 --runs 200000 -o w.tif",
+    "assess": "assess net.tif wall.tif --runs 100000 -o a",
     "delineate": "delineate land --size 60 --runs 1000000 -o d",
-    "validate": "validate land scar.tif --start start.tif --duration 12h --runs 60000 -o v",
-    "calibrate": "calibrate scars.csv --runs 60000 -o fit.toml",
+    "validate": "validate land scar.tif --start start.tif --duration 12h --runs 600000 -o v",
+    "calibrate": "calibrate scars.csv --runs 200000 -o fit.toml",
 }
 
 
