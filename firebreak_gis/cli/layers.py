@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.gate import is_file
-from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.rasters import file_of
 
 if TYPE_CHECKING:
@@ -41,8 +40,7 @@ def read_layers(
     from firebreak_gis.landscape import read_surveyed
     from firebreak_gis.landscape.strips import read_by_parts
 
-    rows, cols = found.grid.shape
-    if folder is not None and rows * cols > BLOCK_CELLS:
+    if folder is not None and found.by_parts:
         landscape = read_by_parts(request, found, folder, progress=progress)
     else:
         landscape = read_surveyed(request, found, progress=progress)

@@ -111,7 +111,7 @@ def foresee(
     what = f"a landscape of {rows} x {cols} cells" if method is None else f"a plan of {rows} x {cols} cells by {method}"
     memory.require_memory(needed, what, max_memory=layers.max_memory)
     size = (_LAYER_BYTES if method is None else _PLAN_BYTES) * rows * cols + _OTHER_BYTES
-    scratch = _LAYER_BYTES * rows * cols if method is None and rows * cols > memory.BLOCK_CELLS else 0
+    scratch = _LAYER_BYTES * rows * cols if method is None and found.by_parts else 0
     return Foreseen(
         found,
         needed,

@@ -77,10 +77,14 @@ class Survey:
         return memory_needed(self.layers, self.grid) + 8 * planes * self.grid.shape[0] * self.grid.shape[1]
 
     @property
+    def by_parts(self) -> bool:
+        """Whether it is laid part by part where it need not be in memory as a whole."""
+        return self.grid.shape[0] * self.grid.shape[1] > BLOCK_CELLS
+
+    @property
     def memory_by_parts(self) -> int:
         """Estimated peak of reading it by parts, bytes; less for a landscape that is one part."""
-        cells = self.grid.shape[0] * self.grid.shape[1]
-        return self.memory if cells <= BLOCK_CELLS else min(self.memory, 120 * BLOCK_CELLS + 28 * SOURCE_CELLS)
+        return min(self.memory, 120 * BLOCK_CELLS + 28 * SOURCE_CELLS) if self.by_parts else self.memory
 
 
 def survey(request: LandscapeRequest) -> Survey:

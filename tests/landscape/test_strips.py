@@ -215,7 +215,7 @@ def test_align_by_parts_writes_what_align_writes(tmp_path, monkeypatch):
     files = layers(tmp_path)
     run = CliRunner()
     assert run.invoke(firebreak, ["align", *files, "-o", str(tmp_path / "whole"), "--quiet"]).exit_code == 0
-    monkeypatch.setattr("firebreak_gis.cli.layers.BLOCK_CELLS", 900)
+    monkeypatch.setattr("firebreak_gis.landscape.surveying.BLOCK_CELLS", 900)
     monkeypatch.setitem(rows_of.__kwdefaults__, "cells", 900)
     monkeypatch.setitem(read_by_parts.__kwdefaults__, "cells", 900)
     done = run.invoke(firebreak, ["align", *files, "-o", str(tmp_path / "parts"), "--quiet"])
