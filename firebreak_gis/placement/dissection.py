@@ -10,20 +10,25 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.placement.patches import COARSE_FROM, Patches
+from firebreak_gis.progress import part, silent
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.placement.patches import Split
+    from firebreak_gis.placement.regions import Region
     from firebreak_gis.progress import Progress
     from firebreak_gis.stakes import Stakes
 
+#: Maps with more cells of fuel are parted into regions first.
+REGIONS_FROM = BLOCK_CELLS
 #: Compartments with more cells are a piece of work alone.
 _LARGE = 20_000
 #: Cells in a piece of work of small compartments.
@@ -66,6 +71,7 @@ def dissect(
     shares: Sequence[float] = (0.2, 0.25, 0.3, 0.35, 0.4, 0.45),
     smallest: int = 16,
     coarse_from: int = COARSE_FROM,
+    regions_from: int = REGIONS_FROM,
     sizes: np.ndarray | None = None,
     threads: int | None = None,
     progress: Progress,
@@ -88,6 +94,9 @@ def dissect(
         Compartments of fewer cells are left whole.
     coarse_from
         Compartments of more cells are searched coarsely first, see `patches`.
+    regions_from
+        A map with more cells of fuel is parted into regions of at most so many first, see `regions`; one that is a
+        torus is not.
     sizes
         (rows * cols,) set, in the cells of a compartment that is split, to its size; that of the smallest remains.
     threads
@@ -107,28 +116,82 @@ def dissect(
     patches = Patches.of(
         network, stakes, width=width, leaky=leaky, directions=directions, shares=shares, coarse_from=coarse_from
     )
-    waiting = [(cells, -1) for cells in patches.connected(np.flatnonzero(network.burnable.ravel()))]
-    cuts: list[Cut] = []
-    left = total = work_of(network.n_burnable, smallest)
-    while waiting:
-        waiting = [(cells, parent) for cells, parent in waiting if cells.size >= smallest]
-        share = 1.0 - left / max(total, 1.0)
-        left = sum(work_of(cells.size / 2, smallest) for cells, _ in waiting)
-        report = _scaled(progress, share, 1.0 - left / max(total, 1.0), f"{len(cuts)} walls")
-        children = []
-        for (cells, parent), split in zip(
-            waiting, _splits(patches, [cells for cells, _ in waiting], threads, report), strict=True
-        ):
-            if split is not None:
-                wall = along(split.wall, network.shape)
-                if sizes is not None:
-                    sizes[cells] = cells.size
-                saved = patches.loss(cells) - sum(patches.loss(piece) for piece in split.pieces)
-                children += [(piece, len(cuts)) for piece in split.pieces]
-                cuts.append(Cut(wall, float(patches.cost[wall].sum()), saved, parent, cells.size))
-        waiting = children
-    progress(1.0, f"{len(cuts)} walls")
-    return cuts
+    grown = _Tree(patches, network.shape, smallest, sizes)
+    if network.n_burnable > regions_from and network.boundary == "open":
+        return grown.by_regions(network.burnable, regions_from, threads, progress)
+    grown.down(patches.connected(np.flatnonzero(network.burnable.ravel())), -1, threads, progress)
+    progress(1.0, f"{len(grown.cuts)} walls")
+    return grown.cuts
+
+
+class _Tree:
+    """The walls so far."""
+
+    def __init__(self, patches: Patches, shape: tuple[int, int], smallest: int, sizes: np.ndarray | None) -> None:
+        self.cuts: list[Cut] = []
+        self._patches, self._shape, self._smallest, self._sizes = patches, shape, smallest, sizes
+
+    def down(self, compartments: Sequence[np.ndarray], parent: int, threads: int | None, progress: Progress) -> None:
+        """Split connected compartments, which stand once a wall does, all the way down."""
+        waiting = [(cells, parent) for cells in compartments]
+        left = total = sum(work_of(cells.size, self._smallest) for cells in compartments)
+        while waiting:
+            waiting = [(cells, above) for cells, above in waiting if cells.size >= self._smallest]
+            share = 1.0 - left / max(total, 1.0)
+            left = sum(work_of(cells.size / 2, self._smallest) for cells, _ in waiting)
+            report = _scaled(progress, share, 1.0 - left / max(total, 1.0), f"{len(self.cuts)} walls")
+            children = []
+            for (cells, above), split in zip(
+                waiting, _splits(self._patches, [cells for cells, _ in waiting], threads, report), strict=True
+            ):
+                if split is not None:
+                    saved = self._patches.loss(cells) - sum(self._patches.loss(piece) for piece in split.pieces)
+                    children += [(piece, len(self.cuts)) for piece in split.pieces]
+                    self._add(split.wall, cells, saved, above, cells.size)
+            waiting = children
+
+    def by_regions(self, burnable: np.ndarray, largest: int, threads: int | None, progress: Progress) -> list[Cut]:
+        """Part the map into regions, and split each all the way down by itself."""
+        from firebreak_gis.placement.regions import Regions
+
+        progress(0.0, "regions")
+        regions = Regions(self._patches, burnable, largest)
+        waiting = [(region, -1) for region in regions]
+        leaves: list[tuple[Region, int]] = []
+        while waiting:
+            region, parent = waiting.pop()
+            split = regions.split(region) if region.size > largest else None
+            if split is None:
+                leaves.append((region, parent))
+                continue
+            wall, pieces = split
+            waiting += [(piece, len(self.cuts)) for piece in pieces]
+            saved = region.loss - sum(piece.loss for piece in pieces)
+            self._add(wall, wall, saved, parent, region.size)
+            progress(0.02, f"{len(self.cuts)} walls between regions")
+        walled: list[list[Cut]] = [[] for _ in leaves]
+
+        def work(k: int) -> None:
+            region, parent = leaves[k]
+            cells = regions.cells(region)
+            if self._sizes is not None and parent >= 0:
+                self._sizes[cells] = self.cuts[parent].size
+            own = _Tree(self._patches, self._shape, self._smallest, self._sizes)
+            own.down([cells], -1, 1, silent)
+            walled[k] = own.cuts
+
+        largest_first = sorted(range(len(leaves)), key=lambda k: -leaves[k][0].size)
+        run_pieces(work, largest_first, threads=threads, progress=part(progress, 0.05, 1.0), message="walls in regions")
+        for (_, parent), cuts in zip(leaves, walled, strict=True):
+            above = len(self.cuts)
+            self.cuts += [replace(cut, parent=parent if cut.parent < 0 else above + cut.parent) for cut in cuts]
+        return self.cuts
+
+    def _add(self, wall: np.ndarray, cells: np.ndarray, saved: float, parent: int, size: int) -> None:
+        line = along(wall, self._shape)
+        if self._sizes is not None:
+            self._sizes[cells] = size
+        self.cuts.append(Cut(line, float(self._patches.cost[line].sum()), saved, parent, size))
 
 
 def _splits(

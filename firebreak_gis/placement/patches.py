@@ -41,6 +41,9 @@ _LEAK_STEPS = 8
 #: What a mean cell costs more for its leak; on Rhodes at 40 m this burns 3 to 4 % less, 1 as much, 3 more.
 _LEAK_WEIGHT = 0.3
 
+#: Side of what `flow.best_cut` marks 0, 1 and 2, as `Patches.exact_wall` takes it: its wall is on none.
+SIDES = np.array([2, 0, 1], np.uint8)
+
 _ROW_STEP, _COL_STEP = np.array(ROW_STEP), np.array(COL_STEP)
 
 
@@ -127,37 +130,37 @@ class Patches:
 
     def connected(self, cells: np.ndarray) -> list[np.ndarray]:
         """Cells of each connected piece."""
-        return pieces_of(cells, self._near(cells))
+        return pieces_of(cells, self.near(cells))
 
     def split(self, cells: np.ndarray) -> Split | None:
         """Split a connected patch where a wall saves most for its cost; None if none saves anything."""
         mask = self._coarse_wall(cells) if cells.size > self.coarse_from else None
-        near = self._near(cells)
+        near = self.near(cells)
         if mask is None:
             mask = np.zeros(cells.size, np.uint8)
             order = ordered(cells, self.shape, self.angles, periodic=self.periodic)
-            best_cut(near, *self._masses(cells), order, self.shares, mask)
+            best_cut(near, self.capacity[cells], *self.masses(cells), order, self.shares, mask)
         wall = (mask == 1).astype(np.uint8)
         thin(near, wall)
         return Split(cells[wall > 0], pieces_of(cells, near, wall)) if wall.any() else None
 
-    def _near(self, cells: np.ndarray) -> np.ndarray:
+    def near(self, cells: np.ndarray) -> np.ndarray:
+        """Links within some cells, as `kernels.flow` takes them."""
         return patch_links(cells, self.links, *self.shape, _ROW_STEP, _COL_STEP)  # type: ignore[no-any-return]
 
-    def _masses(self, cells: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        return self.capacity[cells], self.ignition[cells] / self.ignitions, self.value[cells] / self.values
+    def masses(self, cells: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Ignition and value of some cells, shares of those of the whole."""
+        return self.ignition[cells] / self.ignitions, self.value[cells] / self.values
 
     def _coarse_wall(self, cells: np.ndarray) -> np.ndarray | None:
         """Mark of the wall, as `flow.best_cut` sets it, found coarsely and made exact; None if that finds none."""
-        factor = int(np.ceil(np.sqrt(2 * cells.size / self.coarse_from)))
+        factor = factor_for(cells.size, self.coarse_from)
         place = (self.links, *self.shape, _ROW_STEP, _COL_STEP)
         label, near = blocks(cells, *place, factor)
-        capacity, ignition, value = self._masses(cells)
+        capacity, (ignition, value) = self.capacity[cells], self.masses(cells)
         firm = capacity >= UNCUTTABLE
-        dearest = int(capacity[~firm].max(initial=1))
-        price = np.bincount(label, weights=np.where(firm, _DEAR * dearest, capacity)) / factor
-        whole = np.bincount(label, weights=~firm) == 0
-        cost = np.where(whole, UNCUTTABLE, np.maximum(np.rint(price), price > 0)).astype(np.int32)
+        price = coarse_price(capacity, int(capacity[~firm].max(initial=1)))
+        cost = coarse_costs(np.bincount(label, weights=price), np.bincount(label, weights=~firm) == 0, factor)
         masses = (np.bincount(label, weights=ignition), np.bincount(label, weights=value))
         row, col = np.divmod(cells, self.shape[1])
         ring = self.periodic and _ring(row, col, self.shape)
@@ -167,32 +170,71 @@ class Patches:
         best_cut(near, cost, *masses, order, self.shares, mark)
         if not (mark == 1).any():
             return None
-        side = np.array([2, 0, 1], np.uint8)[mark][label]
+        return self.exact_wall(cells, SIDES[mark][label], factor)
+
+    def exact_wall(
+        self, cells: np.ndarray, side: np.ndarray, factor: int, beyond: np.ndarray | None = None
+    ) -> np.ndarray | None:
+        """Make a coarse wall exact in a band around it.
+
+        Parameters
+        ----------
+        cells
+            (n,) of the patch, or those of it that lie near the wall.
+        side
+            (n,) uint8: 0 in the coarse wall, 1 and 2 on its sides.
+        factor
+            Side of its blocks [cells].
+        beyond
+            (2, 2) ignition and value on side 1, and on side 2, that lie in no cell of these; None: nothing.
+
+        Returns
+        -------
+        numpy.ndarray or None
+            (n,) uint8, 1 in the wall; None if there is none that saves anything.
+        """
+        place = (self.links, *self.shape, _ROW_STEP, _COL_STEP)
         for reach in _REACH:
             found = band(cells, side, *place, int(np.ceil(reach * factor)))
             ends = [np.flatnonzero((found == 2) & (side == each)) for each in (1, 2)]
             if all(end.size for end in ends):
-                return self._exact_in(cells, found, side)
+                return self._exact_in(cells, found, side, np.zeros((2, 2)) if beyond is None else beyond)
         return None
 
-    def _exact_in(self, cells: np.ndarray, found: np.ndarray, side: np.ndarray) -> np.ndarray | None:
+    def _exact_in(self, cells: np.ndarray, found: np.ndarray, side: np.ndarray, far: np.ndarray) -> np.ndarray | None:
         """The cheapest wall in a band between its rims, which hold all that lies beyond them."""
         inner = np.flatnonzero(found)
         end = np.where(found[inner] == 2, side[inner], 0).astype(np.uint8)
-        capacity, ignition, value = self._masses(cells)
+        ignition, value = self.masses(cells)
         within = [ignition[inner], value[inner]]
         for each in (1, 2):
             beyond = (found == 0) & (side == each)
             rim = int(np.flatnonzero(end == each)[0])
-            for own, mass in zip(within, (ignition, value), strict=True):
-                own[rim] += mass[beyond].sum()
+            for own, mass, more in zip(within, (ignition, value), far[each - 1], strict=True):
+                own[rim] += mass[beyond].sum() + more
         mark = np.zeros(inner.size, np.uint8)
-        score, _ = cut_between(self._near(cells[inner]), capacity[inner], *within, end, mark)
+        score, _ = cut_between(self.near(cells[inner]), self.capacity[cells[inner]], *within, end, mark)
         if score <= 0.0:
             return None
         wall = np.zeros(cells.size, np.uint8)
         wall[inner] = mark == 1
         return wall
+
+
+def factor_for(n_cells: int, coarse_from: int) -> int:
+    """Side of the squares of a patch in whose blocks it is searched, about half as many as `coarse_from`."""
+    return int(np.ceil(np.sqrt(2 * n_cells / coarse_from)))
+
+
+def coarse_price(capacity: np.ndarray, dearest: int) -> np.ndarray:
+    """What cells count in a block; one that may not be cut as some of the dearest."""
+    return np.where(capacity >= UNCUTTABLE, _DEAR * dearest, capacity)
+
+
+def coarse_costs(price: np.ndarray, whole: np.ndarray, factor: int) -> np.ndarray:
+    """Cost of a wall across blocks, int32, from what their cells count in all and whether none may be cut."""
+    across = price / factor
+    return np.where(whole, UNCUTTABLE, np.maximum(np.rint(across), across > 0)).astype(np.int32)
 
 
 def pieces_of(cells: np.ndarray, near: np.ndarray, cut: np.ndarray | None = None) -> list[np.ndarray]:

@@ -16,12 +16,14 @@ from firebreak_gis.breaks import removal_order, select_breaks
 from firebreak_gis.kernels.coarse import band, blocks
 from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, cut_between
 from firebreak_gis.kernels.patches import patch_links
+from firebreak_gis.kernels.squares import UNNUMBERED, number_blocks
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.dissection import Cut, dissect, sequence
 from firebreak_gis.placement.edges import links
-from firebreak_gis.placement.patches import capacities
+from firebreak_gis.placement.patches import Patches, capacities
 from firebreak_gis.placement.patterns import ExpectedLoss
+from firebreak_gis.placement.regions import Regions
 from firebreak_gis.placement.widening import offsets, walls
 from firebreak_gis.progress import silent
 from firebreak_gis.ranking import rank
@@ -78,16 +80,20 @@ def compartments_of(network: SpreadNetwork, cuts: list[Cut]) -> list[np.ndarray]
     return found
 
 
+#: A map in one, or parted into regions first.
+REGIONS = st.sampled_from([60, 150, 100_000])
+
+
 def cuts_of(network: SpreadNetwork, stakes: Stakes, **options: Any) -> list[Cut]:
     return dissect(network, stakes, progress=silent, **options)
 
 
 @LANDSCAPES
-@given(seed=SEEDS, coarse=COARSE)
-def test_every_wall_separates_and_needs_all_its_cells(seed, coarse):
+@given(seed=SEEDS, coarse=COARSE, regions=REGIONS)
+def test_every_wall_separates_and_needs_all_its_cells(seed, coarse, regions):
     network, stakes = landscape(seed)
     cols = network.shape[1]
-    cuts = cuts_of(network, stakes, coarse_from=coarse)
+    cuts = cuts_of(network, stakes, coarse_from=coarse, regions_from=regions)
     for cut, compartment in zip(cuts, compartments_of(network, cuts), strict=True):
         graph = graph_of(network, compartment)
         assert nx.is_connected(graph)
@@ -99,11 +105,11 @@ def test_every_wall_separates_and_needs_all_its_cells(seed, coarse):
 
 
 @LANDSCAPES
-@given(seed=SEEDS, coarse=COARSE)
-def test_walls_nest_and_keep_off_what_is_protected(seed, coarse):
+@given(seed=SEEDS, coarse=COARSE, regions=REGIONS)
+def test_walls_nest_and_keep_off_what_is_protected(seed, coarse, regions):
     network, stakes = landscape(seed)
     sizes = np.zeros(network.burnable.size, int)
-    cuts = cuts_of(network, stakes, coarse_from=coarse, sizes=sizes)
+    cuts = cuts_of(network, stakes, coarse_from=coarse, regions_from=regions, sizes=sizes)
     compartments = compartments_of(network, cuts)
     smallest = np.zeros_like(sizes)
     for cut, compartment in zip(cuts, compartments, strict=True):
@@ -298,10 +304,7 @@ def test_a_band_is_what_lies_within_steps_of_the_seam(seed, width):
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_walls_found_coarsely_save_as_much_as_those_of_the_whole(seed):
-    random = np.random.default_rng(seed)
-    rough = sum(width * gaussian_filter(random.standard_normal((150, 150)), width, mode="wrap") for width in (1, 4, 16))
-    network = SpreadNetwork(np.full((8, 150, 150), 0.5), burnable=rough < np.quantile(rough, 0.8))
-    stakes = Stakes(network, cost=1 + random.integers(0, 3, network.shape), value=random.random(network.shape))
+    network, stakes = noise(seed)
     left = []
     for coarse in (400, 10**9):
         cuts = cuts_of(network, stakes, coarse_from=coarse)
@@ -338,3 +341,67 @@ def test_walls_are_lines_widened_one_after_another(rows, cols, width, boundary, 
                     expected.append(row * cols + col)
         assert cells.tolist() == expected
         assert cost == stakes.cost.ravel()[expected].sum()
+
+
+@LANDSCAPES
+@given(seed=SEEDS, factor=st.sampled_from([2, 3, 5]))
+def test_blocks_of_a_map_are_those_of_a_patch(seed, factor):
+    network, _ = landscape(2 * seed)
+    steps = np.array(ROW_STEP), np.array(COL_STEP)
+    label = np.where(network.burnable, UNNUMBERED, np.int32(-1))
+    count = number_blocks(label, links(network), *steps, factor)
+    cells = np.flatnonzero(network.burnable.ravel())
+    expected, near = blocks(cells, links(network).ravel(), *network.shape, *steps, factor)
+    assert count == near.shape[0]
+    assert (label[~network.burnable] == -1).all()
+    pairs = np.unique(np.array([label.ravel()[cells], expected]), axis=1)
+    assert pairs.shape[1] == np.unique(pairs[0]).size == np.unique(pairs[1]).size == count
+
+
+def noise(seed: int) -> tuple[SpreadNetwork, Stakes]:
+    random = np.random.default_rng(seed)
+    rough = sum(width * gaussian_filter(random.standard_normal((150, 150)), width, mode="wrap") for width in (1, 4, 16))
+    network = SpreadNetwork(np.full((8, 150, 150), 0.5), burnable=rough < np.quantile(rough, 0.8))
+    return network, Stakes(network, cost=1 + random.integers(0, 3, network.shape), value=random.random(network.shape))
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_walls_by_regions_save_as_much_as_those_of_the_whole(seed):
+    network, stakes = noise(seed)
+    left = []
+    for regions in (2500, 10**9):
+        cuts = cuts_of(network, stakes, coarse_from=400, regions_from=regions)
+        order = sequence([c.saved for c in cuts], [c.cost for c in cuts], [c.parent for c in cuts])
+        spent = np.cumsum([cuts[i].cost for i in order]) / stakes.cost.sum()
+        left.append(1.0 - np.interp([0.02, 0.05, 0.1], spent, np.cumsum([cuts[i].saved for i in order])))
+    assert (left[0] <= 1.1 * left[1]).all()
+
+
+@LANDSCAPES
+@given(seed=SEEDS)
+def test_regions_are_the_connected_pieces_that_the_walls_leave(seed):
+    network, stakes = landscape(2 * seed, (30, 35))
+    patches = Patches.of(network, stakes, width=1, leaky=False, directions=8, shares=(0.25, 0.4), coarse_from=40)
+    regions = Regions(patches, network.burnable, 100)
+    waiting, built = list(regions), np.zeros(0, np.int64)
+    while waiting:
+        region = waiting.pop(0)
+        cells = regions.cells(region)
+        assert region.size == cells.size
+        assert region.loss == pytest.approx(patches.loss(cells))
+        graph = graph_of(network, np.setdiff1d(np.flatnonzero(network.burnable.ravel()), built))
+        found = nx.node_connected_component(graph, divmod(int(cells[0]), network.shape[1]))
+        assert sorted(row * network.shape[1] + col for row, col in found) == cells.tolist()
+        split = regions.split(region)
+        if split is not None:
+            wall, pieces_left = split
+            built = np.append(built, wall)
+            assert len(pieces_left) > 1
+            waiting += pieces_left
+
+
+def test_threads_do_not_change_the_walls_of_regions():
+    network, stakes = landscape(4, (120, 200))
+    one, two = (cuts_of(network, stakes, threads=t, smallest=500, coarse_from=400, regions_from=4000) for t in (1, 3))
+    assert len(one) == len(two) > 5
+    assert all((a.cells == b.cells).all() and a.parent == b.parent for a, b in zip(one, two, strict=True))
