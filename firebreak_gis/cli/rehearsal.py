@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import click
+
 from firebreak_gis import memory, plugins
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, OutputError
@@ -107,7 +109,8 @@ def foresee(
     rows, cols = found.grid.shape
     needed = memory.bytes_for("align", 0) + (found.memory_by_parts if method is None else found.memory)
     if method is not None:
-        needed = max(needed, memory.bytes_for("plan", rows * cols, method=method, clock=clock))
+        workers = click.get_current_context().params.get("workers")
+        needed = max(needed, memory.bytes_for("plan", rows * cols, method=method, clock=clock, workers=workers))
     what = f"a landscape of {rows} x {cols} cells" if method is None else f"a plan of {rows} x {cols} cells by {method}"
     memory.require_memory(needed, what, max_memory=layers.max_memory)
     size = (_LAYER_BYTES if method is None else _PLAN_BYTES) * rows * cols + _OTHER_BYTES

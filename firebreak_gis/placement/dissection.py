@@ -117,11 +117,16 @@ def dissect(
         network, stakes, width=width, leaky=leaky, directions=directions, shares=shares, coarse_from=coarse_from
     )
     grown = _Tree(patches, network.shape, smallest, sizes)
-    if network.n_burnable > regions_from and network.boundary == "open":
+    if by_regions(network, regions_from):
         return grown.by_regions(network.burnable, regions_from, threads, progress)
     grown.down(patches.connected(np.flatnonzero(network.burnable.ravel())), -1, threads, progress)
     progress(1.0, f"{len(grown.cuts)} walls")
     return grown.cuts
+
+
+def by_regions(network: SpreadNetwork, regions_from: int = REGIONS_FROM) -> bool:
+    """Whether a map is parted into regions first."""
+    return network.boundary == "open" and network.n_burnable > regions_from
 
 
 class _Tree:

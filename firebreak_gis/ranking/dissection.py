@@ -4,7 +4,8 @@ What network science calls dismantling by nested dissection: small separators fi
 
 Each compartment is split by the minimum vertex cut between opposite ends, in several directions, that saves
 the largest expected loss for its cost; the pieces are split in turn. Compartments of more than 4,096 cells are
-searched coarsely first, and their walls are exact in a band around the coarse ones. Costs are the capacities, protected
+searched coarsely first, and their walls are exact in a band around the coarse ones. Maps of more than 4 million cells
+of fuel are parted into regions first, see `placement.regions`. Costs are the capacities, protected
 cells are never in a wall, cells without fuel are free, and ignitions and values at risk set what a wall saves. Walls
 stop spread over corners too. A wall is worth little before it is closed, so budgets between two walls gain little.
 
@@ -127,7 +128,6 @@ def rankings(
     network: SpreadNetwork, *, stakes: Stakes, seed: int
 ) -> Callable[[Params, Progress, Trial | None], Ranked]:
     """Return `rank` for any parameters: walls of one width are sought once, whatever the budget and the residual."""
-    from firebreak_gis.placement.orientation import in_standard_orientation
     from firebreak_gis.placement.widening import best_width
     from firebreak_gis.ranking import Ranked
 
@@ -170,7 +170,7 @@ def rankings(
             )
             return priority
 
-        priority = in_standard_orientation(network, stakes, standard)
+        priority = _turned(network, stakes, standard)
         return Ranked(priority, f"walls of {width} cell{'s' if width > 1 else ''}")
 
     return one
@@ -224,8 +224,6 @@ def _tried_out(
 
 def _as_it_lies(network: SpreadNetwork, stakes: Stakes, params: Params, width: int, progress: Progress) -> Walls:
     """Walls found on the map in its standard orientation, in the numbers of the cells as it lies."""
-    from firebreak_gis.placement.orientation import in_standard_orientation
-
     cuts: list[Cut] = []
 
     def standard(turned: SpreadNetwork, placed: Stakes, turn: Turn) -> np.ndarray:
@@ -234,8 +232,20 @@ def _as_it_lies(network: SpreadNetwork, stakes: Stakes, params: Params, width: i
         cuts.extend(replace(cut, cells=number[cut.cells]) for cut in found)
         return sizes
 
-    sizes = in_standard_orientation(network, stakes, standard)
+    sizes = _turned(network, stakes, standard)
     return cuts, sizes
+
+
+def _turned(
+    network: SpreadNetwork, stakes: Stakes, method: Callable[[SpreadNetwork, Stakes, Turn], np.ndarray]
+) -> np.ndarray:
+    """Answer for the map in its standard orientation; as it lies where it is dissected by regions: it is not copied."""
+    from firebreak_gis.placement.dissection import by_regions
+    from firebreak_gis.placement.orientation import in_standard_orientation
+
+    if by_regions(network):
+        return method(network, stakes, np.asarray)
+    return in_standard_orientation(network, stakes, method)
 
 
 def _cuts(network: SpreadNetwork, stakes: Stakes, params: Params, width: int, progress: Progress) -> Walls:

@@ -203,6 +203,9 @@ def test_a_dry_run_tells_what_the_run_will_do(place):
     assert told["cells"] == 16 * 20
     assert told["memory_bytes"] == memory.bytes_for("plan", 320, method="random", clock=True)
     assert told["memory_limit_bytes"] == memory.allowed()
+    shared = json.loads(call(*words, "--workers", "3", "--dry-run", "--json", "-q").stdout)["result"]
+    assert shared["memory_bytes"] == memory.bytes_for("plan", 320, method="random", clock=True, workers=3)
+    assert shared["memory_bytes"] > 2 * told["memory_bytes"]
     shown = call(*words, "--dry-run").output
     assert "nothing was written" in shown
     assert all(path in shown for path in told["files"])
