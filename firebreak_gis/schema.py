@@ -156,7 +156,7 @@ _VARIABLES = (
     Variable("fire_paths", ("y", "x"), "float32", "1",
              "cells that fire goes on to by way of this cell, mean over the runs", 0.0, None, -9999.0,
              colours=_ramp("#fcfdbf", "#fe9f6d", "#de4968", "#8c2981", "#000004")),
-    Variable("fire_size", ("run",), "int64", "1", "cells burnt in the run", 0),
+    Variable("fire_size", ("run",), "int64", "1", "cells burnt in the run; ground that lines clear is not", 0),
     Variable("fire_size_by", ("run", "time"), "int64", "1", "cells burnt in the run by then", 0),
     Variable("duration", ("run",), "float64", "s", "how long the fire of the run may burn; inf if it ends by itself",
              0.0),

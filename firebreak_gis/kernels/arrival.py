@@ -167,7 +167,7 @@ def burn_timed(
     for k in range(runs.size):
         run = runs[k]
         size = burn_run(thresholds, keys[run], steps, clock, starts, walls, embers, space, run)
-        add_run(tally, run, space.order, size, space.arrival, space.parent, steps, strongest)
+        add_run(tally, run, space.order, size, space.arrival, space.parent, steps, strongest, walls)
         for i in range(size):
             space.arrival[space.order[i]] = UNSEEN
 

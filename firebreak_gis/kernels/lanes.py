@@ -56,6 +56,8 @@ def burn_block(
     state: Lanes,
     counts: np.ndarray,
     sizes: np.ndarray,
+    ground: np.ndarray,
+    spared: np.ndarray,
 ) -> None:
     """Burn runs `first` .. `last - 1`, at most 64, at once.
 
@@ -65,7 +67,7 @@ def burn_block(
         As in `kernels.percolation`.
     state
         From `lanes`; ready for the next block on return.
-    counts, sizes
+    counts, sizes, ground, spared
         As in `percolation.burn_runs`.
     """
     cols = steps.offsets[0, 4]
@@ -73,6 +75,7 @@ def burn_block(
     stride = (cols + _TILE_COLS - _ONE) // _TILE_COLS * _TILE_COLS + np.uint64(2)
     _light(keys, starts, cells, first, last, cols, state)
     spread(thresholds, rows, cols, steps.position.size > 0, state)
+    spared[first:last] = 0
     # Sixty-four counters side by side: digit k of the counter of run i is bit i of digits[k].
     digits = np.zeros(48, np.uint64)
     lit, done = state.lit, state.done
@@ -85,6 +88,11 @@ def burn_block(
             lit[at] = _ZERO
             done[at] = _ZERO
             counts[cell + np.uint64(col)] += np.uint32(popcount(carry))
+            if ground.size > 0 and ground[cell + np.uint64(col)] > 0:
+                burning = carry
+                while burning != _ZERO:
+                    spared[first + np.int64(lowest(burning))] += ground[cell + np.uint64(col)]
+                    burning &= burning - _ONE
             for k in range(4):
                 overflow = digits[k] & carry
                 digits[k] ^= carry

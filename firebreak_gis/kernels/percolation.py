@@ -29,6 +29,8 @@ from firebreak_gis.lattice import COL_STEP, ROW_STEP
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
 _AHEAD = np.uint64(AHEAD)
+#: `ground` and `spared` where nothing is to be added up.
+NOTHING_SPARED = np.zeros(0, np.int64), np.zeros(0, np.int64)
 
 
 class Steps(NamedTuple):
@@ -110,6 +112,8 @@ def burn_runs(
     sizes: np.ndarray,
     value: np.ndarray,
     lost: np.ndarray,
+    ground: np.ndarray,
+    spared: np.ndarray,
 ) -> None:
     """Burn runs `first` .. `last - 1` one after another. Memory: 5 bytes a cell.
 
@@ -123,6 +127,10 @@ def burn_runs(
         (n_cells,) float64 lost when the cell burns; empty if nothing is to be added up.
     lost
         (n_runs,) float64, set to the sum over the burnt cells, added in the order in which they burn.
+    ground
+        (n_cells,) int64, what of the cell does not burn with it; empty if nothing is to be added up.
+    spared
+        (n_runs,) int64, set to the sum over the burnt cells.
     """
     n_cells = thresholds.top.shape[0]
     stamp = np.zeros(n_cells, np.uint8)
@@ -169,6 +177,10 @@ def burn_runs(
             for i in range(tail):
                 total += value[queue[i]]
             lost[run] = total
+        if ground.size > 0:
+            spared[run] = 0
+            for i in range(tail):
+                spared[run] += ground[queue[i]]
 
 
 @kernel

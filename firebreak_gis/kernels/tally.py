@@ -11,6 +11,7 @@ import numpy as np
 
 from firebreak_gis.kernels.percolation import Steps
 from firebreak_gis.kernels.policy import kernel
+from firebreak_gis.kernels.walls import Walls, spared
 
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
@@ -24,10 +25,13 @@ class Tally(NamedTuple):
     ----------
     counts
         (n_cells,) uint32 runs in which the cell burns.
+    unit
+        In how many parts of a cell `sizes`, `growth` and `classes` are told: 1, or `walls.GROUND` where lines clear
+        ground, which then does not count as burnt.
     sizes
-        (n_runs,) int64 cells burnt.
+        (n_runs,) int64 burnt [cells / unit].
     value
-        (n_cells,) float64 lost when the cell burns.
+        (n_cells,) float64 lost when the whole cell burns.
     lost
         (n_runs,) float64 sum of it over the burnt cells, in the order in which they burn.
     edges
@@ -35,9 +39,9 @@ class Tally(NamedTuple):
     by_time
         (n_cells, n_bins) uint32 runs in which fire arrives after the edge before and not after this one.
     growth
-        (n_runs, n_bins) int64 cells burnt by each edge.
+        (n_runs, n_bins) int64 burnt by each edge [cells / unit].
     classes
-        (n_classes,) int64, rising: largest fire of each class but the last [cells].
+        (n_classes,) int64, rising: largest fire of each class but the last [cells / unit].
     by_size
         (n_cells, n_classes) uint32 runs in which the cell burns in a fire of the class.
     hanging
@@ -61,6 +65,7 @@ class Tally(NamedTuple):
     """
 
     counts: np.ndarray
+    unit: int
     sizes: np.ndarray
     value: np.ndarray
     lost: np.ndarray
@@ -90,6 +95,7 @@ def add_run(
     parent: np.ndarray,
     steps: Steps,
     strongest: np.ndarray,
+    walls: Walls,
 ) -> None:
     """Add one run.
 
@@ -105,24 +111,33 @@ def add_run(
         Of the grid.
     strongest
         (n_cells,) float32 intensity of a fire that starts in the cell [kW/m].
+    walls
+        Breaks, and how they hold.
     """
     if tally.rim.size > 0:
         for i in range(size):
             if tally.rim[order[i]]:
                 tally.reached[run] = True
                 return
-    tally.sizes[run] = size
+    burnt = np.int64(size) * tally.unit
     for i in range(size):
         tally.counts[order[i]] += np.uint32(1)
+    if tally.unit > 1:
+        for i in range(size):
+            burnt -= spared(walls, run, np.uint64(order[i]), arrival[order[i]])
+    tally.sizes[run] = burnt
     if tally.value.size > 0:
         total = 0.0
         for i in range(size):
-            total += tally.value[order[i]]
+            share = 1.0
+            if tally.unit > 1:
+                share -= spared(walls, run, np.uint64(order[i]), arrival[order[i]]) / tally.unit
+            total += tally.value[order[i]] * share
         tally.lost[run] = total
     if tally.by_time.size > 0 or tally.growth.size > 0:
-        _by_time(tally, run, order, size, arrival)
+        _by_time(tally, run, order, size, arrival, walls)
     if tally.by_size.size > 0:
-        k = np.searchsorted(tally.classes, np.int64(size))
+        k = np.searchsorted(tally.classes, burnt)
         for i in range(size):
             tally.by_size[order[i], k] += np.uint32(1)
     if tally.onwards.size > 0:
@@ -141,7 +156,7 @@ def add_run(
 
 
 @kernel
-def _by_time(tally: Tally, run: int, order: np.ndarray, size: np.uint64, arrival: np.ndarray) -> None:
+def _by_time(tally: Tally, run: int, order: np.ndarray, size: np.uint64, arrival: np.ndarray, walls: Walls) -> None:
     edges = tally.edges
     k = 0
     for i in range(size):
@@ -156,7 +171,9 @@ def _by_time(tally: Tally, run: int, order: np.ndarray, size: np.uint64, arrival
             if tally.by_time.size > 0:
                 tally.by_time[cell, k] += np.uint32(1)
             if tally.growth.size > 0:
-                tally.growth[run, k] += 1
+                tally.growth[run, k] += tally.unit
+                if tally.unit > 1:
+                    tally.growth[run, k] -= spared(walls, run, np.uint64(cell), t)
     if tally.growth.size > 0:
         for k in range(1, edges.size):
             tally.growth[run, k] += tally.growth[run, k - 1]

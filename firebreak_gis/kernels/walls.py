@@ -11,6 +11,8 @@ from firebreak_gis.kernels.percolation import Steps, number
 from firebreak_gis.kernels.policy import inlined, kernel
 
 _ONE = np.uint64(1)
+#: Parts of a cell in which the ground is told that lines clear.
+GROUND = 1 << 20
 
 
 class Walls(NamedTuple):
@@ -36,6 +38,11 @@ class Walls(NamedTuple):
         (n_cells,) uint32: as `holds`, of the lines across the links to cells of a higher number.
     line_stretch
         (n_cells,) uint32: as `stretch`, of those lines.
+    ground
+        (n, 4) uint32: a cell, how many of the `GROUND` parts of it a line clears, and as `holds` and `stretch`, of
+        that line; cells rise. Empty without lines.
+    ground_at
+        (n_cells,) uint32: the first of `ground` in the cell; n where there is none. Empty without lines.
     crews
         (n_cells,) uint64 [s]: nothing holds against fire that comes to the cell before; empty if crews are everywhere.
     """
@@ -49,6 +56,8 @@ class Walls(NamedTuple):
     crossed: np.ndarray
     line_holds: np.ndarray
     line_stretch: np.ndarray
+    ground: np.ndarray
+    ground_at: np.ndarray
     crews: np.ndarray
 
 
@@ -84,6 +93,25 @@ def parted(walls: Walls, run: int, cell: np.uint64, target: np.uint64, d: int) -
 def kept(walls: Walls, cell: np.uint64) -> float:
     """Share of its spread probability that a treated cell keeps where it holds."""
     return walls.residual[cell if walls.residual.size > 1 else np.uint64(0)]
+
+
+@kernel
+def spared(walls: Walls, run: int, cell: np.uint64, t: np.uint64) -> int:
+    """Ground that does not burn of a cell to which fire comes at t [s], of `GROUND`: what lines clear that hold.
+
+    Of the ground under lines that leak, as much burns as they leave of the spread.
+    """
+    result = 0
+    k = np.uint64(walls.ground_at[cell])
+    while k < walls.ground.shape[0] and walls.ground[k, 0] == cell:
+        draw = word(walls.keys[run], np.uint64(walls.ground[k, 3])) >> np.uint64(32)
+        if below(draw, np.uint64(walls.ground[k, 2])):
+            result += np.int64(walls.ground[k, 1])
+        k += _ONE
+    if result > 0:
+        result = min(result, GROUND) if manned(walls, cell, t) else 0
+        result = np.int64(np.floor(result * (1.0 - kept(walls, cell))))
+    return result
 
 
 @kernel

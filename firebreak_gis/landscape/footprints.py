@@ -58,9 +58,13 @@ def footprints(frame: gpd.GeoDataFrame, grid: Grid) -> Footprints:
     grid
         The grid.
     """
+    return footprints_in_cells(in_cells(frame, grid), grid.shape)
+
+
+def footprints_in_cells(shapes: np.ndarray, shape: tuple[int, int]) -> Footprints:
+    """As `footprints`, of geometries in (column, row) coordinates, on a grid of (rows, cols)."""
     import shapely
 
-    shapes = in_cells(frame, grid)
     if not len(shapes):
         nothing = np.zeros(0, np.int64)
         return Footprints(nothing, nothing, np.zeros(0), np.zeros(0))
@@ -68,7 +72,7 @@ def footprints(frame: gpd.GeoDataFrame, grid: Grid) -> Footprints:
     whole = np.where(dimension == 2, shapely.area(shapes), shapely.length(shapes))
     whole = np.where(dimension == 0, shapely.get_num_geometries(shapes), whole)
     kinds = ((_points, 0), (_lines, 1), (_polygons, 2))
-    found = [cut(shapes, np.flatnonzero(dimension == kind), grid.shape) for cut, kind in kinds]
+    found = [cut(shapes, np.flatnonzero(dimension == kind), shape) for cut, kind in kinds]
     feature, cell, part = (np.concatenate([piece[i] for piece in found]) for i in range(3))
     order = np.lexsort((cell, feature))
     order = order[part[order] > LEAST_PART]

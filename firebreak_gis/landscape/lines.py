@@ -1,19 +1,19 @@
 """Breaks that are lines with a width in metres, which may be narrower than a cell.
 
-A line stops fire on the links between neighbouring cells that it crosses; the cells beside it stay fuel. What it takes
-of the land is its length times its width.
+A line stops fire on the links between neighbouring cells that it crosses. What it takes of the land is its length times
+its width: that ground is no fuel where the line holds, and the rest of the cells beside it stays fuel.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.grid import Grid
-from firebreak_gis.landscape.footprints import in_cells
+from firebreak_gis.landscape.footprints import footprints_in_cells, in_cells
 from firebreak_gis.network import neighbour
 
 if TYPE_CHECKING:
@@ -25,6 +25,44 @@ if TYPE_CHECKING:
 
 #: Between the numbers of stretches that follow each other on a line; half of it is odd, so that all of a line differ.
 _STEP = np.uint32(0x9E3779B2)
+
+
+class Cleared(NamedTuple):
+    """Ground that lines clear: one entry for each straight piece of a line and each cell of which it takes some.
+
+    The parts of all pieces add up to length times width: what a bend takes twice inside, it lacks outside.
+
+    Parameters
+    ----------
+    cell
+        (n,) int64, rising, row-major number.
+    part
+        (n,) uint32, of the cell, of which the whole is `kernels.walls.GROUND`.
+    width
+        (n,) float32 of the line [m].
+    line
+        (n,) uint32: mark of the line, as in `LineBreaks`.
+    along, whole
+        (n,) float32 [m]: how far from its beginning this is, and how long it is, as there.
+    """
+
+    cell: np.ndarray
+    part: np.ndarray
+    width: np.ndarray
+    line: np.ndarray
+    along: np.ndarray
+    whole: np.ndarray
+
+    def window(self, rows: slice, cols: slice, n_cols: int) -> Cleared:
+        """The entries in a window of a grid with `n_cols` columns."""
+        row, col = np.divmod(self.cell, n_cols)
+        inside = (row >= rows.start) & (row < rows.stop) & (col >= cols.start) & (col < cols.stop)
+        cell = (row - rows.start) * (cols.stop - cols.start) + col - cols.start
+        return Cleared(cell[inside], *(each[inside] for each in self[1:]))
+
+    def stretches(self, length: float) -> np.ndarray:
+        """As `LineBreaks.stretches`, of each entry."""
+        return _stretches(self.line, self.along, self.whole, length)
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +86,8 @@ class LineBreaks:
         line, the gaps between them count.
     whole
         (rows, cols) float32 [m]: how long that line is.
+    cleared
+        The ground that the lines take.
     grid
         The grid.
     """
@@ -58,6 +98,7 @@ class LineBreaks:
     line: np.ndarray
     along: np.ndarray
     whole: np.ndarray
+    cleared: Cleared
     grid: Grid
 
     @property
@@ -69,7 +110,8 @@ class LineBreaks:
         """Return the breaks on a window of the grid."""
         here = rows, cols
         planes = {name: getattr(self, name)[here] for name in ("crossed", "width", "line", "along", "whole")}
-        return replace(self, **planes, grid=grid)
+        cleared = self.cleared.window(rows, cols, self.crossed.shape[1])
+        return replace(self, **planes, cleared=cleared, grid=grid)
 
     def stretches(self, length: float) -> np.ndarray:
         """Number of the stretch along its line in which each cell lies, (rows, cols) uint32, even.
@@ -77,10 +119,7 @@ class LineBreaks:
         A line has as many equal stretches as come nearest to `length` metres, so that all lines together have about one
         for each `length`. Numbers follow from the line alone: lines that come later change none.
         """
-        count = np.maximum(np.rint(self.whole / length), 1.0)
-        share = self.along / np.maximum(self.whole, np.float32(1e-30))
-        steps = np.minimum(np.floor(share * count), count - 1).astype(np.uint32)
-        return np.asarray((self.line + steps * _STEP) & ~np.uint32(1), np.uint32)
+        return _stretches(self.line, self.along, self.whole, length)
 
     def parted(self, network: SpreadNetwork, *, residual: Residual = 0.0) -> SpreadNetwork:
         """Return a network with the lines in it: an edge across keeps `residual`, the share of the cell it leads to."""
@@ -91,6 +130,22 @@ class LineBreaks:
             across = (self.crossed >> d) & 1 > 0
             values[d][across] *= neighbour(kept, d, network.boundary)[across]
         return network.derived(probability=values)
+
+    def spared(self, network: SpreadNetwork, *, residual: Residual = 0.0) -> np.ndarray:
+        """Ground of each cell that does not burn with it where all lines hold, (n_cells,) int64 of `GROUND`."""
+        from firebreak_gis.kernels.walls import GROUND
+
+        total = np.zeros(network.burnable.size, np.int64)
+        np.add.at(total, self.cleared.cell, self.cleared.part)
+        kept = np.broadcast_to(network.kept_share(residual), network.shape).ravel()
+        return np.floor(np.minimum(total, GROUND) * (1.0 - kept)).astype(np.int64)
+
+
+def _stretches(line: np.ndarray, along: np.ndarray, whole: np.ndarray, length: float) -> np.ndarray:
+    count = np.maximum(np.rint(whole / length), 1.0)
+    share = along / np.maximum(whole, np.float32(1e-30))
+    steps = np.minimum(np.floor(share * count), count - 1).astype(np.uint32)
+    return np.asarray((line + steps * _STEP) & ~np.uint32(1), np.uint32)
 
 
 def on_cells(
@@ -156,10 +211,16 @@ def line_breaks(source: Source, grid: Grid, *, width: float | str, what: str = "
             else f"the width of lines is {width} m, expected a number above 0"
         )
     lines = frame[["geometry"]].assign(width_m=metres)
-    found = links_crossed(lines, grid)
-    if not found[0].any():
+    breaks = laid_on(lines, grid)
+    if not breaks.crossed.any():
         raise InputError(f"{what} crosses no link of the landscape {grid.describe()}; is it the right file?")
-    return LineBreaks(lines, *found, grid)
+    return breaks
+
+
+def laid_on(lines: gpd.GeoDataFrame, grid: Grid) -> LineBreaks:
+    """Lay lines in the CRS of a grid, with the column `width_m`, on it."""
+    traced = _trace(lines, grid)
+    return LineBreaks(lines, *_links(traced, grid), _cleared(traced, grid), grid)
 
 
 def links_crossed(
@@ -187,36 +248,103 @@ def links_crossed(
     line, along, whole
         (rows, cols) uint32, float32 and float32, see there.
     """
+    return _links(_trace(lines, grid), grid)
+
+
+class _Traced(NamedTuple):
+    """Straight pieces of lines on a grid.
+
+    Parameters
+    ----------
+    ends
+        (n, 4) int64, x and y of both ends in 1/`PARTS` of a cell.
+    width
+        (n,) float32 [m].
+    line
+        (n,) uint32, the mark of its line.
+    begin, whole
+        (n,) float64 [cells]: how far it begins from where its line does, and how long that is.
+    """
+
+    ends: np.ndarray
+    width: np.ndarray
+    line: np.ndarray
+    begin: np.ndarray
+    whole: np.ndarray
+
+    def along(self, of: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """How far along its line the place on piece `of` is that is nearest to (x, y), each (n,) [cells]."""
+        from firebreak_gis.kernels.crossings import PARTS
+
+        start, end = (self.ends[of, i : i + 2] / PARTS for i in (0, 2))
+        step = np.hypot(*(end - start).T)
+        share = np.clip(((np.column_stack([x, y]) - start) * (end - start)).sum(axis=1) / step**2, 0.0, 1.0)
+        return np.asarray(self.begin[of] + share * step)
+
+
+def _trace(lines: gpd.GeoDataFrame, grid: Grid) -> _Traced:
+    """Take lines apart into straight pieces; far off the grid they are cut."""
     import shapely
 
-    from firebreak_gis.kernels.crossings import PARTS, cross_links
+    from firebreak_gis.kernels.crossings import PARTS
 
     rows, cols = grid.shape
     shapes = shapely.clip_by_rect(in_cells(lines, grid), -2.0, -2.0, cols + 2.0, rows + 2.0)
     parts, owner = shapely.get_parts(shapes, return_index=True)
     places, part = shapely.get_coordinates(parts, return_index=True)
-    whole = np.rint(places * PARTS).astype(np.int64)
+    if not len(places):
+        none = np.zeros(0)
+        return _Traced(np.zeros((0, 4), np.int64), none.astype(np.float32), none.astype(np.uint32), none, none)
+    at = np.rint(places * PARTS).astype(np.int64)
     joined = np.flatnonzero(part[1:] == part[:-1])
-    pieces = np.ascontiguousarray(np.concatenate([whole[joined], whole[joined + 1]], axis=1))
+    ends = np.ascontiguousarray(np.concatenate([at[joined], at[joined + 1]], axis=1))
     feature = owner[part]
     metres = lines["width_m"].to_numpy(np.float32) if "width_m" in lines.columns else np.zeros(len(lines), np.float32)
+    own, run = feature[joined], _run(places, feature)
+    whole = run[np.searchsorted(feature, own, "right") - 1]
+    return _Traced(ends, metres[own], _marks(at, feature)[own], run[joined], whole)
+
+
+def _links(traced: _Traced, grid: Grid) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """See `links_crossed`."""
+    from firebreak_gis.kernels.crossings import cross_links
+
     crossed, width = np.zeros(grid.shape, np.uint8), np.zeros(grid.shape, np.float32)
     piece = np.full(grid.shape, -1, np.int64)
-    cross_links(pieces, metres[feature[joined]], crossed, width, piece)
+    cross_links(traced.ends, traced.width, crossed, width, piece)
     line = np.zeros(grid.shape, np.uint32)
     along, length = np.zeros(grid.shape, np.float32), np.zeros(grid.shape, np.float32)
     at = np.nonzero(piece >= 0)
-    if at[0].size:
-        of = piece[at]
-        begin, end = (pieces[of, i : i + 2] / PARTS for i in (0, 2))
-        step = np.hypot(*(end - begin).T)
-        centre = np.column_stack(at[::-1]) + 0.5
-        share = np.clip(((centre - begin) * (end - begin)).sum(axis=1) / step**2, 0.0, 1.0)
-        own, run = feature[joined[of]], _run(places, feature)
-        line[at] = _marks(whole, feature)[own]
-        along[at] = (run[joined[of]] + share * step) * grid.cell_size
-        length[at] = run[np.searchsorted(feature, own, "right") - 1] * grid.cell_size
+    of = piece[at]
+    line[at] = traced.line[of]
+    along[at] = traced.along(of, at[1] + 0.5, at[0] + 0.5) * grid.cell_size
+    length[at] = traced.whole[of] * grid.cell_size
     return crossed, width, line, along, length
+
+
+def _cleared(traced: _Traced, grid: Grid) -> Cleared:
+    """What the pieces take of the cells, each as a rectangle of its length and width."""
+    import shapely
+
+    from firebreak_gis.kernels.crossings import PARTS
+    from firebreak_gis.kernels.walls import GROUND
+
+    start, end = traced.ends[:, :2] / PARTS, traced.ends[:, 2:] / PARTS
+    length = np.hypot(*(end - start).T)
+    own = np.flatnonzero(length > 0)
+    start, end = start[own], end[own]
+    ahead = (end - start) / length[own, np.newaxis]
+    aside = np.column_stack([-ahead[:, 1], ahead[:, 0]]) * (traced.width[own, np.newaxis] / grid.cell_size / 2.0)
+    corners = np.stack([start + aside, end + aside, end - aside, start - aside], axis=1)
+    prints = footprints_in_cells(shapely.polygons(corners), grid.shape)
+    of = own[prints.feature]
+    order = np.argsort(prints.cell, kind="stable")
+    cell, of = prints.cell[order], of[order]
+    row, col = np.divmod(cell, grid.shape[1])
+    part = np.rint(np.minimum(prints.part[order], 1.0) * GROUND).astype(np.uint32)
+    metres = (traced.along(of, col + 0.5, row + 0.5), traced.whole[of])
+    in_metres = ((each * grid.cell_size).astype(np.float32) for each in metres)
+    return Cleared(cell, part, traced.width[of], traced.line[of], *in_metres)
 
 
 def _marks(whole: np.ndarray, feature: np.ndarray) -> np.ndarray:

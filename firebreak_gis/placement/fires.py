@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from firebreak_gis.kernels.draws import Thresholds, run_keys, seed_for, stream_key, thresholds, uniforms
-from firebreak_gis.kernels.percolation import Steps, burn_runs, steps
+from firebreak_gis.kernels.percolation import NOTHING_SPARED, Steps, burn_runs, steps
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
@@ -146,6 +146,7 @@ def losses(
             sizes,
             value,
             lost,
+            *NOTHING_SPARED,
         )
 
     run_pieces(burn, pieces(n_runs), threads=threads, progress=progress, message="burning")

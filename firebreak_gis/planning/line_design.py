@@ -17,7 +17,7 @@ from firebreak_gis.breaks import Budget
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.footprints import footprints
-from firebreak_gis.landscape.lines import LineBreaks, links_crossed
+from firebreak_gis.landscape.lines import LineBreaks, laid_on
 from firebreak_gis.schema import annotate
 from firebreak_gis.simulation.holding import Hold
 
@@ -81,8 +81,7 @@ class LineDesign:
         count = self.bought(budget)
         if not count:
             return None
-        lines = self.walls[["width_m", "geometry"]].iloc[:count]
-        return LineBreaks(lines, *links_crossed(lines, self.grid), self.grid)
+        return laid_on(self.walls[["width_m", "geometry"]].iloc[:count], self.grid)
 
     def share(self, budget: Budget) -> float:
         """Share of the area of the fuel that the walls take which a budget pays."""

@@ -118,7 +118,8 @@ def simulate(
     -------
     xarray.Dataset
         `burn_count` (y, x) uint32, `burn_frequency` (y, x) float32 (NaN where there is no fuel),
-        `fire_size` (run) int64 [cells], and what `products` asks. With a clock also `duration` (run) [s], with crews
+        `fire_size` (run) int64 [cells], float64 with lines, as the ground under lines that hold does not burn, and what
+        `products` asks. With a clock also `duration` (run) [s], with crews
         `containment` (run) [s], with a weather `weather` (run), its number.
 
     Raises
@@ -350,10 +351,9 @@ def burn_each(
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> np.ndarray:
-    """Cells burnt in every run under each of n plans by the same draws, (n_runs, n) int64."""
-    burnt = np.zeros((request.n_runs, len(plans)), np.int64)
-    for k, breaks in enumerate(plans):
-        burns = burn(
+    """Cells burnt in every run under each of n plans by the same draws, (n_runs, n) int64; float64 with lines."""
+    burnt = [
+        burn(
             ground.network,
             request,
             breaks=breaks,
@@ -361,9 +361,10 @@ def burn_each(
             barriers=ground.barriers,
             threads=threads,
             progress=part(progress, k / len(plans), (k + 1) / len(plans)),
-        )
-        burnt[:, k] = burns["fire_size"]
-    return burnt
+        )["fire_size"].to_numpy()
+        for k, breaks in enumerate(plans)
+    ]
+    return np.stack(burnt, axis=1)
 
 
 def _curve(network: SpreadNetwork, burnt: np.ndarray, budgets: Sequence[float] | np.ndarray, seed: int) -> xr.DataArray:

@@ -227,12 +227,21 @@ def chances(network: SpreadNetwork, cut: np.ndarray, hold: Hold, intensity: np.n
 
 
 def chances_by_width(
-    network: SpreadNetwork, width: np.ndarray, hold: Hold, intensity: np.ndarray | None = None
+    network: SpreadNetwork,
+    width: np.ndarray,
+    hold: Hold,
+    intensity: np.ndarray | None = None,
+    cells: np.ndarray | None = None,
 ) -> np.ndarray:
-    """Probability that a break of some width [m] holds in a run, 0 where it is 0; all else as in `chances`."""
+    """Probability that a break of some width [m] holds in a run, 0 where it is 0; all else as in `chances`.
+
+    Widths are those of all cells, (rows, cols), or of the given `cells` by their row-major numbers, (n,).
+    """
     if hold.share is not None:
         return np.where(width > 0, hold.share, 0.0)
     mean, trees = fire_before(network, hold, intensity)
+    if cells is not None:
+        mean, trees = mean.ravel()[cells], trees.ravel()[cells]
     if hold.rule == "flames":
         return np.where((width > 0) & (width >= hold.flames * flame_length(mean)), 1.0, 0.0)
     return np.where(width > 0, 1.0 - breach(mean, width, trees=trees), 0.0)
@@ -311,19 +320,26 @@ def build_walls(
     n_cells = network.burnable.size
     probability = network.probability.reshape(8, n_cells)
     kept = network.kept_share(residual).ravel()
-    none, no_links = np.zeros(0, np.uint32), np.zeros(0, np.uint8)
+    none, no_links, no_ground = np.zeros(0, np.uint32), np.zeros(0, np.uint8), np.zeros((0, 4), np.uint32)
     awaited = np.zeros(0, np.uint64) if crews is None else crews.ravel()
     if breaks is None and barriers is None:
-        return Walls(np.zeros(0, bool), none, none, keys, kept, probability, no_links, none, none, awaited)
+        bare = (np.zeros(0, bool), none, none, keys, kept, probability)
+        return Walls(*bare, no_links, none, none, no_ground, none, awaited)
     near = np.zeros(network.shape, bool)
     chance = np.zeros(network.shape)
-    crossed, line_holds, line_stretch = no_links, none, none
+    crossed, line_holds, line_stretch, ground, ground_at = no_links, none, none, no_ground, none
     if isinstance(breaks, LineBreaks):
         network.grid.require(breaks.grid, "the lines")
         crossed = breaks.crossed.ravel()
         line_holds = _digits(chances_by_width(network, breaks.width, hold, intensity))
         line_stretch = breaks.stretches(hold.length).ravel()
         near |= breaks.crossed > 0
+        cleared = breaks.cleared
+        often = chances_by_width(network, cleared.width, hold, intensity, cleared.cell)
+        ground = np.column_stack([cleared.cell, cleared.part, _digits(often), cleared.stretches(hold.length)])
+        ground = ground.astype(np.uint32)
+        ground_at = np.full(n_cells, len(ground), np.uint32)
+        ground_at[cleared.cell[::-1]] = np.arange(len(ground))[::-1]  # of those in a cell, the first is set last
     elif breaks is not None:
         chance = chances(network, network.mask(breaks, "breaks"), hold, intensity)
     stretch = 2 * stretches(network.shape, network.grid.cell_size, hold.length, window)
@@ -336,7 +352,7 @@ def build_walls(
     for d in range(8):
         near |= neighbour(holds.reshape(network.shape) > 0, d, network.boundary)
     on_cells = (near.ravel(), holds, stretch.ravel(), keys, kept, probability)
-    return Walls(*on_cells, crossed, line_holds, line_stretch, awaited)
+    return Walls(*on_cells, crossed, line_holds, line_stretch, ground, ground_at, awaited)
 
 
 def _digits(chance: np.ndarray) -> np.ndarray:

@@ -99,6 +99,7 @@ def new_tally(
     *,
     longest: int,
     value: np.ndarray | None,
+    unit: int = 1,
     rim: np.ndarray | None = None,
 ) -> Tally:
     """Empty sums for what is asked.
@@ -115,6 +116,8 @@ def new_tally(
         The longest duration of a run [s].
     value
         (n_cells,) float64 lost where the cell burns, or None.
+    unit
+        See `kernels.tally.Tally`.
     rim
         (rows, cols) bool, cells from which fire could leave a window of the map; None where there is no more map.
     """
@@ -123,12 +126,13 @@ def new_tally(
     n_cells = network.burnable.size
     edges = products.edges(longest)
     cell_area = network.grid.cell_area_ha if products.size_classes else 1.0
-    classes = np.array([np.floor(limit / cell_area + 1e-9) for limit in products.size_classes], np.int64)
+    classes = np.array([np.floor((limit / cell_area + 1e-9) * unit) for limit in products.size_classes], np.int64)
     # Byram 1959: L = 0.0775 I^0.46.
     intensities = np.array([(limit / 0.0775) ** (1 / 0.46) for limit in products.flame_lengths])
     metres = network.grid.cell_size if intensities.size else 1.0
     return Tally(
         counts=np.zeros(n_cells, np.uint32),
+        unit=unit,
         sizes=np.zeros(n_runs, np.int64),
         value=np.zeros(0) if value is None else value,
         lost=np.zeros(0 if value is None else n_runs),
@@ -188,6 +192,13 @@ def take_part(total: Tally, runs: np.ndarray, part: Mapping[str, np.ndarray]) ->
             getattr(total, name)[runs] = values
         elif name != "cells":
             getattr(total, name)[part["cells"]] += values
+
+
+def in_cells(tally: Tally) -> Tally:
+    """The same with sizes in cells: whole numbers, or float64 where lines clear parts of cells."""
+    if tally.unit == 1:
+        return tally
+    return tally._replace(sizes=tally.sizes / tally.unit, growth=tally.growth / tally.unit)
 
 
 def product_maps(network: SpreadNetwork, products: Products, tally: Tally) -> dict[str, xr.DataArray]:

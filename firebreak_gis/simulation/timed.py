@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from firebreak_gis.landscape.lines import on_cells
+from firebreak_gis.landscape.lines import LineBreaks, on_cells
 from firebreak_gis.lattice import NEVER
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.durations import ENDLESS
 from firebreak_gis.simulation.embers import nothing_flies, what_flies, wind_of
 from firebreak_gis.simulation.engine import in_use, ranges, spread
 from firebreak_gis.simulation.holding import build_walls, strongest
-from firebreak_gis.simulation.products import Products, add_up, new_tally, own_sums, part_of, take_part
+from firebreak_gis.simulation.products import Products, add_up, in_cells, new_tally, own_sums, part_of, take_part
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from firebreak_gis.kernels.arrival import Clock, Workspace
     from firebreak_gis.kernels.draws import Thresholds
     from firebreak_gis.kernels.tally import Tally
-    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.ignitions import Ignitions
     from firebreak_gis.simulation.request import FireRequest
@@ -107,7 +106,7 @@ def burn_timed(
     reach: int = 1,
     chosen: np.ndarray | None = None,
 ) -> Tally:
-    """Burn the runs of a request, and return the sums of what is asked.
+    """Burn the runs of a request, and return the sums of what is asked, sizes in cells.
 
     Parameters
     ----------
@@ -148,12 +147,13 @@ def burn_timed(
     }
     # Windows are parts themselves, and arrivals run by run are too large to be sent.
     if in_use() is None or window is not None or products.arrivals:
-        return _burn_here(**fires, threads=threads, progress=progress, window=window, reach=reach, chosen=chosen)
+        fires |= {"window": window, "reach": reach, "chosen": chosen}
+        return in_cells(_burn_here(**fires, threads=threads, progress=progress))
     runs = np.arange(request.n_runs) if chosen is None else chosen
     if weather is not None:  # those of one weather together, so that few workers need its network
         spells = weather.weather.of_runs(seed=request.seed, n_runs=request.n_runs, first_run=start.first_run)
         runs = runs[np.argsort(spells[runs], kind="stable")]
-    total = _tally(network, products, request.n_runs, limits, value)
+    total = _tally(network, products, request.n_runs, limits, value, breaks)
     pieces = [runs[first:last] for first, last in ranges(runs.size, _PART)]
     fires |= {"request": request.settled(network.grid)}
     fires |= {name: on_cells(network, fires[name], name) for name in ("breaks", "barriers")}
@@ -162,7 +162,7 @@ def burn_timed(
         take_part(total, pieces[i], made)
 
     spread(timed_part, pieces, fires, take=take, threads=threads, progress=progress)
-    return total
+    return in_cells(total)
 
 
 def timed_part(piece: np.ndarray, *, threads: int | None, progress: Progress, **fires: Any) -> dict[str, np.ndarray]:
@@ -191,7 +191,7 @@ def _burn_here(
     n_runs = request.n_runs
     by_group = value if callable(value) else None
     rim = None if window is None or window.whole else window.rim(reach)
-    total = _tally(network, products, n_runs, limits, value, rim)
+    total = _tally(network, products, n_runs, limits, value, breaks, rim)
     spaces = Spaces()
     tallies = _Tallies(total)
     done = 0
@@ -226,10 +226,14 @@ def _tally(
     n_runs: int,
     limits: np.ndarray,
     value: np.ndarray | Callable[[Group], np.ndarray] | None,
+    breaks: np.ndarray | xr.DataArray | LineBreaks | None,
     rim: np.ndarray | None = None,
 ) -> Tally:
+    from firebreak_gis.kernels.walls import GROUND
+
     worth = np.zeros(network.burnable.size) if callable(value) else value
-    return new_tally(network, products, n_runs, longest=longest_of(limits), value=worth, rim=rim)
+    unit = GROUND if isinstance(breaks, LineBreaks) else 1
+    return new_tally(network, products, n_runs, longest=longest_of(limits), value=worth, unit=unit, rim=rim)
 
 
 def longest_of(limits: np.ndarray) -> int:
@@ -354,7 +358,7 @@ def _burn_piece(
     ready: Ready,
     spaces: Spaces,
     tallies: _Tallies,
-    own: Mapping[str, np.ndarray],
+    own: Mapping[str, Any],
     strongest: np.ndarray,
     runs: np.ndarray,
 ) -> None:

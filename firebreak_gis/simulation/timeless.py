@@ -58,14 +58,14 @@ def burn_all(
     counts
         (rows, cols) uint32 runs in which each cell burns.
     sizes
-        (n_runs,) int64 burnt cells.
+        (n_runs,) int64 burnt cells; float64 where lines clear parts of them.
     lost
         (n_runs,) float64.
     """
     if in_use() is None:
         return _burn_here(network, request, start, breaks, value, threads, progress)
-    counts, sizes = np.zeros(network.burnable.size, np.uint32), np.zeros(request.n_runs, np.int64)
-    lost = np.zeros(request.n_runs)
+    counts, lost = np.zeros(network.burnable.size, np.uint32), np.zeros(request.n_runs)
+    sizes = np.zeros(request.n_runs, float if isinstance(breaks, LineBreaks) else np.int64)
     pieces = ranges(request.n_runs, _PART)
 
     def take(i: int, part: Mapping[str, np.ndarray]) -> None:
@@ -113,13 +113,17 @@ def _burn_here(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Burn runs on the threads of this process."""
     from firebreak_gis.kernels.lanes import burn_block
-    from firebreak_gis.kernels.percolation import burn_runs
+    from firebreak_gis.kernels.percolation import NOTHING_SPARED, burn_runs
+    from firebreak_gis.kernels.walls import GROUND
 
     n_runs, seed = request.n_runs, request.seed
     cells = start.cells
     burnt_network = network
+    ground, spared = NOTHING_SPARED
     if isinstance(breaks, LineBreaks):
         burnt_network = breaks.parted(network, residual=request.residual)
+        ground, spared = breaks.spared(network, residual=request.residual), np.zeros(n_runs, np.int64)
+        value = None if value is None else value * (1.0 - ground / GROUND)
     elif breaks is not None:
         burnt_network = network.treated(breaks, residual=request.residual)
         perfect = network.mask(breaks, "breaks") & (network.kept_share(request.residual) == 0.0)
@@ -133,20 +137,21 @@ def _burn_here(
 
     def one_by_one(first: int, last: int) -> None:
         own = np.zeros_like(counts)
-        burn_runs(*fires.given, first, last, own, sizes, worth, lost)
+        burn_runs(*fires.given, first, last, own, sizes, worth, lost, ground, spared)
         with adding:
             np.add(counts, own, out=counts)
 
     def together(first: int, last: int) -> None:
         own = np.zeros_like(counts)
-        burn_block(*fires.given, first, last, fires.lanes(), own, sizes)
+        burn_block(*fires.given, first, last, fires.lanes(), own, sizes, ground, spared)
         with adding:
             np.add(counts, own, out=counts)
 
     # Values are added up run by run, so that their sum has one order.
     block = together if value is None else None
     fires.run(one_by_one, block, lambda: (counts, sizes[:_PILOT]), threads=threads, progress=progress)
-    return counts.reshape(network.shape), sizes, lost
+    fuel = sizes - spared / GROUND if spared.size else sizes
+    return counts.reshape(network.shape), fuel, lost
 
 
 def burn_levels(

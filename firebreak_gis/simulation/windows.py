@@ -350,6 +350,7 @@ class _Work:
             with self._lock:
                 # A cell may burn in several windows of a part.
                 np.add.at(self._counts, part["cells"], part["counts"])
+                self._sizes = self._sizes.astype(part["sizes"].dtype, copy=False)  # parts of cells with lines
                 self._sizes[part["runs"]] = part["sizes"]
                 self._contained[part["runs"]] = part["contained"]
                 self._done += part["runs"].size

@@ -11,6 +11,7 @@ import numpy as np
 from firebreak_gis import SpreadNetwork, burn_curve, simulate
 from firebreak_gis.kernels import arrival as arrival_kernel
 from firebreak_gis.kernels import draws, lanes, percolation
+from firebreak_gis.kernels.percolation import NOTHING_SPARED
 from firebreak_gis.simulation import timed as timed_runs
 from firebreak_gis.simulation.embers import nothing_flies
 from firebreak_gis.simulation.holding import build_walls
@@ -45,13 +46,13 @@ class Kernels:
     def one_by_one(self, n_runs: int = RUNS) -> peers.Burns:
         """Burn run by run."""
         counts, sizes = np.zeros(self.n_cells, np.uint32), np.zeros(n_runs, np.int64)
-        percolation.burn_runs(*self.given, 0, n_runs, counts, sizes, np.zeros(0), np.zeros(n_runs))
+        percolation.burn_runs(*self.given, 0, n_runs, counts, sizes, np.zeros(0), np.zeros(n_runs), *NOTHING_SPARED)
         return counts, sizes
 
     def at_once(self) -> peers.Burns:
         """Burn 64 runs at once."""
         counts, sizes = np.zeros(self.n_cells, np.uint32), np.zeros(RUNS, np.int64)
-        lanes.burn_block(*self.given, 0, RUNS, self.state, counts, sizes)
+        lanes.burn_block(*self.given, 0, RUNS, self.state, counts, sizes, *NOTHING_SPARED)
         return counts, sizes
 
     def curve(self, levels: np.ndarray, n_runs: int = RUNS) -> np.ndarray:

@@ -29,15 +29,18 @@ def test_blocks_make_the_runs_of_the_single_kernel(shape, high, boundary):
     n_runs = 90
     network, given = stakes(1, shape, boundary, high, n_runs)
     counts, sizes = np.zeros(network.burnable.size, np.uint32), np.zeros(n_runs, np.int64)
-    percolation.burn_runs(*given, 0, n_runs, counts, sizes, np.zeros(0), np.zeros(n_runs))
+    ground, spared = np.random.default_rng(3).integers(-5, 9, counts.size).clip(0), np.zeros(n_runs, np.int64)
+    percolation.burn_runs(*given, 0, n_runs, counts, sizes, np.zeros(0), np.zeros(n_runs), ground, spared)
     state = lanes.lanes(shape)
     for cut in ((0, 64, 90), (0, 1, 33, 90), (0, 30, 90)):
-        again, size_again = np.zeros_like(counts), np.zeros_like(sizes)
+        again, size_again, spared_again = np.zeros_like(counts), np.zeros_like(sizes), np.ones_like(spared)
         for first, last in pairwise(cut):
-            lanes.burn_block(*given, first, last, state, again, size_again)
+            lanes.burn_block(*given, first, last, state, again, size_again, ground, spared_again)
         np.testing.assert_array_equal(again, counts)
         np.testing.assert_array_equal(size_again, sizes)
+        np.testing.assert_array_equal(spared_again, spared)
     assert sizes.max() > 0
+    assert spared.sum() == (ground * counts).sum() > 0
 
 
 @pytest.mark.parametrize("boundary", ["open", "periodic"])

@@ -13,7 +13,7 @@ from firebreak_gis.construction.lines import line_polygons, line_segments
 from firebreak_gis.construction.segments import Segments
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.curves import ByBudget
-from firebreak_gis.landscape.lines import LineBreaks, links_crossed
+from firebreak_gis.landscape.lines import LineBreaks, laid_on
 from firebreak_gis.planning.designs import Design, Rest
 from firebreak_gis.planning.line_design import LineDesign, design_lines, line_params
 
@@ -123,8 +123,7 @@ class Lines(Design):
         parts = lines.groupby("stage")
         shapes = [shapely.MultiLineString(list(shapely.get_parts(each.array))) for _, each in parts.geometry]
         walls = gpd.GeoDataFrame({"width_m": parts["width_m"].first().to_numpy()}, geometry=shapes, crs=lines.crs)
-        grid = self.setting.network.grid
-        return LineBreaks(walls, *links_crossed(walls, grid), grid)
+        return laid_on(walls, self.setting.network.grid)
 
     @cached_property
     def segments(self) -> Segments:
