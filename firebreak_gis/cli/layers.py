@@ -93,7 +93,7 @@ def read_line_breaks(source: str, grid: Grid, width: float | str, session: Sessi
     breaks = line_breaks(source, grid, width=width)
     session.say(
         f"breaks: {len(breaks.lines)} lines of {breaks.lines.length.sum() / 1000:,.6g} km, {breaks.area_ha:,.6g} ha; "
-        "they stop fire between the cells that they part, and the cells stay fuel"
+        "they stop fire between the cells that they part, and where they hold, the ground that they take does not burn"
     )
     return breaks
 

@@ -21,7 +21,7 @@ from firebreak_gis.kernels.percolation import Steps, number
 from firebreak_gis.kernels.policy import kernel
 from firebreak_gis.kernels.prefetch import prefetch
 from firebreak_gis.kernels.tally import Tally, add_run
-from firebreak_gis.kernels.walls import Walls, held_back, kept, manned, stands
+from firebreak_gis.kernels.walls import GROUND, Walls, falls_on, held_back, kept, manned, spared, stands
 
 #: Arrival at a cell that the fire has not reached.
 UNSEEN = np.uint64(0xFFFFFFFFFFFFFFFF)
@@ -198,6 +198,7 @@ def burn_run(
     ring = size_of_ring - _ONE
     limit = starts.limit[run]
     awaited = walls.crews.size > 0
+    cleared = walls.ground.shape[0] > 0
     walled, throws, periodic = near.size > 0, embers.mean.size > 0, positions.size > 0
     stride = np.uint64(seconds.size // (ends.size + 1))
     a_cell = _EIGHT if stride > _EIGHT else _ZERO  # times of an edge from one cell to the next
@@ -224,6 +225,10 @@ def burn_run(
                 found = 1
                 if walled and kept(walls, cell) == 0.0 and stands(walls, run, cell) and manned(walls, cell, times[0]):
                     found = 0
+                if cleared and kept(walls, cell) == 0.0:
+                    ground = spared(walls, run, cell, times[0])
+                    if falls_on(walls.ground_keys[run], number(steps, cell), ground):
+                        found = 0
             lit += 1
         else:
             if coming == NOBODY:
@@ -350,6 +355,9 @@ def _throw(
                     when = t + flying.smoulders(embers, run, here, k)
                     if manned(walls, target, when):
                         share = kept(walls, target)
+                if walls.ground.shape[0] > 0:
+                    when = t + flying.smoulders(embers, run, here, k)
+                    share *= 1.0 - spared(walls, run, target, when) / GROUND
                 if flying.lights(embers, run, here, k, target, share):
                     targets[found] = target
                     times[found] = when if when > _ZERO else t + flying.smoulders(embers, run, here, k)

@@ -43,6 +43,7 @@ PURPOSES = (
     "comparison",
     "places",
     "containment",
+    "ground",
 )
 
 

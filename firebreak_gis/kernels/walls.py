@@ -43,6 +43,8 @@ class Walls(NamedTuple):
         that line; cells rise. Empty without lines.
     ground_at
         (n_cells,) uint32: the first of `ground` in the cell; n where there is none. Empty without lines.
+    ground_keys
+        (n_runs,) uint64 from `draws.run_keys`, for where in its cell a fire starts.
     crews
         (n_cells,) uint64 [s]: nothing holds against fire that comes to the cell before; empty if crews are everywhere.
     """
@@ -58,6 +60,7 @@ class Walls(NamedTuple):
     line_stretch: np.ndarray
     ground: np.ndarray
     ground_at: np.ndarray
+    ground_keys: np.ndarray
     crews: np.ndarray
 
 
@@ -112,6 +115,33 @@ def spared(walls: Walls, run: int, cell: np.uint64, t: np.uint64) -> int:
         result = min(result, GROUND) if manned(walls, cell, t) else 0
         result = np.int64(np.floor(result * (1.0 - kept(walls, cell))))
     return result
+
+
+@inlined
+def falls_on(key: np.uint64, cell: np.uint64, ground: int) -> bool:
+    """Whether a fire that starts in a cell, told by its number on the map, does so on some ground, of `GROUND`."""
+    return np.int64(word(key, cell) >> np.uint64(44)) < ground
+
+
+@kernel
+def off_ground(keys: np.ndarray, starts: np.ndarray, cells: np.ndarray, ground: np.ndarray) -> np.ndarray:
+    """Ignitions of runs without those that fall on ground which does not burn: (n,) int64, -1 for these.
+
+    Parameters
+    ----------
+    keys
+        (n_runs,) uint64, as `Walls.ground_keys`.
+    starts, cells
+        Those of run i are ``cells[starts[i]:starts[i + 1]]``; -1 burns nothing.
+    ground
+        (n_cells,) int64, of `GROUND`.
+    """
+    out = cells.copy()
+    for run in range(keys.size):
+        for i in range(starts[run], starts[run + 1]):
+            if cells[i] >= 0 and falls_on(keys[run], np.uint64(cells[i]), ground[cells[i]]):
+                out[i] = -1
+    return out
 
 
 @kernel

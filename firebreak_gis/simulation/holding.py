@@ -287,6 +287,7 @@ def build_walls(
     intensity: np.ndarray | None = None,
     window: Window | None = None,
     crews: np.ndarray | None = None,
+    ground_keys: np.ndarray | None = None,
 ) -> Walls:
     """What the kernel is given of the breaks.
 
@@ -314,6 +315,8 @@ def build_walls(
     crews
         (rows, cols) uint64, when crews are at each cell [s]; nothing cut holds against fire that comes before, barriers
         do. None: there is no need of them.
+    ground_keys
+        (n_runs,) uint64 keys of the runs for the purpose `ground`; only lines need them.
     """
     from firebreak_gis.kernels.walls import Walls
 
@@ -324,10 +327,11 @@ def build_walls(
     awaited = np.zeros(0, np.uint64) if crews is None else crews.ravel()
     if breaks is None and barriers is None:
         bare = (np.zeros(0, bool), none, none, keys, kept, probability)
-        return Walls(*bare, no_links, none, none, no_ground, none, awaited)
+        return Walls(*bare, no_links, none, none, no_ground, none, np.zeros(0, np.uint64), awaited)
     near = np.zeros(network.shape, bool)
     chance = np.zeros(network.shape)
     crossed, line_holds, line_stretch, ground, ground_at = no_links, none, none, no_ground, none
+    starting = np.zeros(0, np.uint64) if ground_keys is None else ground_keys
     if isinstance(breaks, LineBreaks):
         network.grid.require(breaks.grid, "the lines")
         crossed = breaks.crossed.ravel()
@@ -352,7 +356,7 @@ def build_walls(
     for d in range(8):
         near |= neighbour(holds.reshape(network.shape) > 0, d, network.boundary)
     on_cells = (near.ravel(), holds, stretch.ravel(), keys, kept, probability)
-    return Walls(*on_cells, crossed, line_holds, line_stretch, ground, ground_at, awaited)
+    return Walls(*on_cells, crossed, line_holds, line_stretch, ground, ground_at, starting, awaited)
 
 
 def _digits(chance: np.ndarray) -> np.ndarray:

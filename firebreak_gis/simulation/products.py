@@ -99,7 +99,7 @@ def new_tally(
     *,
     longest: int,
     value: np.ndarray | None,
-    unit: int = 1,
+    by_parts: bool = False,
     rim: np.ndarray | None = None,
 ) -> Tally:
     """Empty sums for what is asked.
@@ -116,14 +116,15 @@ def new_tally(
         The longest duration of a run [s].
     value
         (n_cells,) float64 lost where the cell burns, or None.
-    unit
-        See `kernels.tally.Tally`.
+    by_parts
+        Whether parts of cells burn, as where lines clear ground; see `kernels.tally.Tally.unit`.
     rim
         (rows, cols) bool, cells from which fire could leave a window of the map; None where there is no more map.
     """
     from firebreak_gis.kernels.tally import Tally
+    from firebreak_gis.kernels.walls import GROUND
 
-    n_cells = network.burnable.size
+    n_cells, unit = network.burnable.size, GROUND if by_parts else 1
     edges = products.edges(longest)
     cell_area = network.grid.cell_area_ha if products.size_classes else 1.0
     classes = np.array([np.floor((limit / cell_area + 1e-9) * unit) for limit in products.size_classes], np.int64)

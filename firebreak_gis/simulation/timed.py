@@ -229,11 +229,9 @@ def _tally(
     breaks: np.ndarray | xr.DataArray | LineBreaks | None,
     rim: np.ndarray | None = None,
 ) -> Tally:
-    from firebreak_gis.kernels.walls import GROUND
-
     worth = np.zeros(network.burnable.size) if callable(value) else value
-    unit = GROUND if isinstance(breaks, LineBreaks) else 1
-    return new_tally(network, products, n_runs, longest=longest_of(limits), value=worth, unit=unit, rim=rim)
+    parts = isinstance(breaks, LineBreaks)
+    return new_tally(network, products, n_runs, longest=longest_of(limits), value=worth, by_parts=parts, rim=rim)
 
 
 def longest_of(limits: np.ndarray) -> int:
@@ -282,7 +280,7 @@ def made_ready(
     from firebreak_gis.kernels.percolation import steps
 
     n_runs, seed, first_run = request.n_runs, request.seed, start.first_run
-    keys = {purpose: run_keys(seed, purpose, n_runs, first_run) for purpose in ("edges", "hold", "embers")}
+    keys = {purpose: run_keys(seed, purpose, n_runs, first_run) for purpose in ("edges", "hold", "embers", "ground")}
     longest = longest_of(limits)
     at = np.zeros(start.cells.size, np.uint64) if start.at is None else start.at.astype(np.uint64)
     starts = Starts(start.starts, start.cells, at, limits.astype(np.uint64))
@@ -305,6 +303,7 @@ def made_ready(
             intensity=intensity,
             window=window,
             crews=crews,
+            ground_keys=keys["ground"],
         )
         flying = nothing_flies(keys["embers"])
         if request.embers is not None:
@@ -337,7 +336,6 @@ def containment(
     if not crews.attack:
         return at, near
     network.require_heat("containment by direct attack")
-
     fires = {"progress": None, "value": _Fierce(crews.intensity), "products": Products(), **fires}
     met = burn_timed(network, request, start, np.minimum(limits, at), **fires)
     return np.where(crews.succeeds(met.sizes, met.lost, network.grid), at, ENDLESS), met.reached

@@ -112,9 +112,10 @@ def _burn_here(
     progress: Progress | None,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Burn runs on the threads of this process."""
+    from firebreak_gis.kernels.draws import run_keys
     from firebreak_gis.kernels.lanes import burn_block
     from firebreak_gis.kernels.percolation import NOTHING_SPARED, burn_runs
-    from firebreak_gis.kernels.walls import GROUND
+    from firebreak_gis.kernels.walls import GROUND, off_ground
 
     n_runs, seed = request.n_runs, request.seed
     cells = start.cells
@@ -124,6 +125,8 @@ def _burn_here(
         burnt_network = breaks.parted(network, residual=request.residual)
         ground, spared = breaks.spared(network, residual=request.residual), np.zeros(n_runs, np.int64)
         value = None if value is None else value * (1.0 - ground / GROUND)
+        closed = np.where(network.kept_share(request.residual).ravel() == 0.0, ground, 0)
+        cells = off_ground(run_keys(seed, "ground", n_runs, start.first_run), start.starts, cells, closed)
     elif breaks is not None:
         burnt_network = network.treated(breaks, residual=request.residual)
         perfect = network.mask(breaks, "breaks") & (network.kept_share(request.residual) == 0.0)

@@ -5,9 +5,8 @@ are perfect, of which each 400 m holds in 0.47 of fires, or which hold by width 
 and under flames also as wide as the fires chose. "Beside" is the share of the length within one cell of a ridge, a
 river or the edge of the fuel. But for the sample the landscapes lie beside the clone.
 
-Cells fail by blocks of the map and lines by lengths, so the last column has what cells save where each wall fails by
-lengths along it, as lines do; beside it in brackets how much of that is their own ground, since cells under a line
-count as burnt. Those are walls that were not tried out on fires.
+Cells fail by blocks of the map and lines by lengths, so with `--lengths` the last column has what cells save where each
+wall fails by lengths along it, as lines do. Those are walls that were not tried out on fires.
 """
 
 from __future__ import annotations
@@ -65,19 +64,21 @@ def main() -> None:
     parser.add_argument("--runs", type=int, default=1000)
     parser.add_argument("--budgets", type=float, nargs="+", default=[0.03, 0.05, 0.10])
     parser.add_argument("--holds", nargs="+", choices=list(HOLDS), default=list(HOLDS))
+    parser.add_argument("--strengths", type=float, nargs="+", default=[0.0, STRENGTH], help="of siting")
+    parser.add_argument("--lengths", action="store_true", help="cells that fail by lengths, too")
     given = parser.parse_args()
     for name in given.landscapes:
-        measure(name, given.runs, given.budgets, given.holds)
+        measure(name, given)
 
 
-def measure(name: str, n_runs: int, budgets: list[float], holds: list[str]) -> None:
-    land = landscape(name)
+def measure(name: str, given: argparse.Namespace) -> None:
+    land, n_runs = landscape(name), given.runs
     scene = Scene.of(land, SpreadRequest(wind_speed=5.0, wind_from=315.0), None, Account())
     network, height = scene.network, land["elevation"].to_numpy()
     size, picks = network.grid.cell_size, np.random.default_rng(0).integers(0, n_runs, (400, n_runs))
     fires = FireRequest(None, "each", n_runs, 1)
     fires = replace(fires, ignitions=resolved(network, fires))
-    for told in holds:
+    for told in given.holds:
         judged = scene.judging(replace(fires, hold=HOLDS[told]))
         ground = scene.ground(judged, network, None)
 
@@ -90,28 +91,25 @@ def measure(name: str, n_runs: int, budgets: list[float], holds: list[str]) -> N
             each = 100 * (1 - left[picks].mean(axis=1) / bare[picks].mean(axis=1))
             return f"{100 * (1 - left.mean() / bare.mean()):.1f} +- {each.std():.1f}"
 
-        for strength in (0.0, STRENGTH):
+        for strength in given.strengths:
             sited = SitingRequest(strength).on(StakePlanes(), network, height)
             _, stakes = sited.planes.on(network)
             near = np.logical_or.reduce([mask for line, mask in sited.lines.items() if line != "valley"])
             trial = Trial(ground, judged.fires, stakes, 0)
-            walls, stretch = along_walls(network, stakes, 400.0)
-            for d_f in budgets:
+            by_lengths = along_walls(network, stakes, 400.0) if given.lengths and told == "hold .47" else None
+            for d_f in given.budgets:
                 budget = Budget(d_f)
                 ranked = design(network, "dissection", stakes=stakes, budget=budget, elevation=height, trial=trial)
                 cut = fb.select_breaks(ranked, budget=budget, burnable=network.burnable).to_numpy() > 0
                 head = f"| {name} | {told} | {strength:g} | {100 * d_f:g} % |"
                 row = f"{head} cells {size:g} m | {100 * cut.mean() / network.burnable.mean():.2f} % | "
                 row += f"{100 * near[cut].mean():.0f} % | {saved(sizes(cut))} |"
-                if told == "hold .47":
+                if by_lengths is not None:
+                    walls, stretch = by_lengths
                     first = np.zeros(network.shape, bool)
                     first.ravel()[walls[: round(d_f * network.n_burnable)]] = True
                     with mock.patch.object(holding, "stretches", lambda *_, stretch=stretch: stretch):
-                        own = burn(ground.network, judged.fires, breaks=first)
-                    taken = own["burn_frequency"].to_numpy()[first].sum()
-                    untreated = burn(ground.network, judged.fires)["burn_frequency"].to_numpy()[first].sum()
-                    left = own["fire_size"].to_numpy().astype(float)
-                    row += f" {saved(left)} ({100 * (untreated - taken) / bare.mean():.1f}) |"
+                        row += f" {saved(sizes(first))} |"
                 print(row, flush=True)
                 for width in (size, None) if told == "flame" else (size,):
                     found = design_lines(network, stakes=stakes, budget=budget, width=width, trial=trial)

@@ -16,11 +16,10 @@ from firebreak_gis.landscape.lines import line_breaks
 from firebreak_gis.lattice import NEVER
 from firebreak_gis.simulation.fires import burn_each
 from firebreak_gis.simulation.ground import Ground
-from firebreak_gis.simulation.holding import Hold, breach, fire_before
+from firebreak_gis.simulation.holding import Hold
 from firebreak_gis.simulation.products import Products
 from firebreak_gis.simulation.request import FireRequest
-from tests.landscape.test_lines import CRS, PLACE, breaks_of, drawn, grid_of, network_of, wild
-from tests.twins.percolation import word
+from tests.landscape.test_lines import CRS, PLACE, breaks_of, drawn, grid_of, network_of, spared_by_hand, wild
 
 CELL = 20.0
 TIMES = (600.0, 1500.0)
@@ -39,8 +38,10 @@ def test_what_a_line_clears_of_each_cell_is_what_shapely_says(seed):
     cleared = line_breaks(drawn(lines, grid, widths), grid, width="width_m").cleared
     found = np.bincount(cleared.cell, cleared.part, minlength=13 * 17).reshape(13, 17) / GROUND
     every = [piece for line, width in zip(lines, widths, strict=True) for piece in rectangles(line, width / CELL)]
-    expected = [[sum(p.intersection(shapely.box(c, r, c + 1, r + 1)).area for p in every) for c in range(17)]
-                for r in range(13)]  # fmt: skip
+    expected = np.zeros((13, 17))
+    for row, col in np.ndindex(13, 17):
+        cell = shapely.box(col, row, col + 1, row + 1)
+        expected[row, col] = sum(piece.intersection(cell).area for piece in every)
     np.testing.assert_allclose(found, expected, atol=2e-2)  # vertices are rounded
     assert abs(found.sum() - np.sum(expected)) < 0.05
     assert (np.diff(cleared.cell) >= 0).all()
@@ -71,17 +72,6 @@ def test_ground_knows_how_far_along_its_line_it_lies():
         np.testing.assert_allclose(marks.whole, line.length, rtol=1e-3)
 
 
-def spared_by_hand(breaks, key, hold, chance, kept, network):
-    """Share of each cell that does not burn with it in a run, in plain Python."""
-    cleared, share = breaks.cleared, [0.0] * network.burnable.size
-    stretch = cleared.stretches(hold.length)
-    for k, cell in enumerate(cleared.cell.tolist()):
-        often = chance(k)
-        if often >= 1 or word(key, int(stretch[k])) >> 32 < round(float(often) * 2**32):
-            share[cell] += int(cleared.part[k])
-    return np.floor(np.minimum(share, GROUND) * (1.0 - kept)) / GROUND
-
-
 @pytest.mark.parametrize("hold", [Hold(1.0), Hold(0.5, length=60.0), Hold(share=None, length=100.0)])
 @pytest.mark.parametrize("residual", [0.0, 0.3])
 def test_sizes_growth_and_losses_are_those_of_plain_python(hold, residual):
@@ -101,18 +91,9 @@ def test_sizes_growth_and_losses_are_those_of_plain_python(hold, residual):
         products=Products(by=TIMES, size_classes=(0.2, 1.0), arrivals=True),
     )
     holds = draws.run_keys(3, "hold", n_runs)
-    mean, trees = fire_before(network, hold)
-    cleared = breaks.cleared
-
-    def chance(k):
-        if hold.share is not None:
-            return hold.share
-        cell = int(cleared.cell[k])
-        return 1.0 - breach(mean.flat[cell], cleared.width[k], trees=trees.flat[cell])
-
     large = np.zeros((3, *network.shape))
     for run in range(n_runs):
-        spared = spared_by_hand(breaks, int(holds[run]), hold, chance, residual, network).reshape(network.shape)
+        spared = spared_by_hand(breaks, int(holds[run]), hold, residual, network).reshape(network.shape)
         arrival = burns["arrival"][run].to_numpy()
         burnt = arrival != NEVER
         size = float((1 - spared)[burnt].sum())
@@ -146,7 +127,7 @@ def test_a_line_over_whole_cells_counts_as_cut_cells_do(clock):
     line = line_breaks(drawn([[(17.5, 0.0), (17.5, 12.0)]], network.grid), network.grid, width=CELL)
     value = np.random.default_rng(0).random(shape)
     fires = {"n_runs": 1, "value": value} | ({"duration": "2h"} if clock else {})
-    for col in (3, 25):
+    for col in (3, 25, 17):
         start = (network.grid.x[col], network.grid.y[6])
         cells, lines = (simulate(network, breaks=each, ignitions=start, **fires) for each in (cut, line))
         assert float(lines["fire_size"][0]) == int(cells["fire_size"][0])
@@ -183,3 +164,13 @@ def test_without_a_clock_fires_are_the_same_by_blocks_with_values_and_with_a_clo
     np.testing.assert_allclose(one["value_lost"], one["fire_size"])
     each = burn_each(Ground(network), FireRequest(n_runs=150, seed=2, residual=0.1), [None, breaks])
     np.testing.assert_array_equal(each[:, 1], blocks["fire_size"])
+
+
+def test_fires_that_start_on_cleared_ground_burn_nothing_as_often_as_its_share():
+    network = SpreadNetwork(np.ones((8, 5, 40)), travel_time=np.full((8, 5, 40), 60), crs=CRS, transform=PLACE)
+    line = line_breaks(drawn([[(20.5, -1), (20.5, 6)]], network.grid), network.grid, width=0.3 * CELL)
+    fires = {"breaks": line, "ignitions": (network.grid.x[20], network.grid.y[2]), "n_runs": 1000}
+    for more, often in (({}, 0.3), ({"duration": "9h"}, 0.3), ({"duration": "9h", "hold": "0.5:10000"}, 0.15)):
+        sizes = simulate(network, **fires, **more)["fire_size"].to_numpy()
+        assert abs((sizes == 0).mean() - often) < 0.045
+    assert (simulate(network, residual=0.2, **fires)["fire_size"] > 0).all()  # what leaks is lit, as cut cells are

@@ -60,6 +60,8 @@ class Fire:
         Treated cells that hold in the run.
     parted
         Pairs of cells, the lower number first, between which a line holds in the run.
+    ground, ground_key
+        Share of each cell that lines clear which hold in the run, and the key of the run for where fires start.
     residual
         What they keep of their probability: a number, or one a cell.
     crews
@@ -75,6 +77,8 @@ class Fire:
     limit: float = math.inf
     stands: frozenset[int] = frozenset()
     parted: frozenset[tuple[int, int]] = frozenset()
+    ground: np.ndarray | None = None
+    ground_key: int = 0
     residual: float | np.ndarray = 0.0
     crews: np.ndarray | None = None
     embers: object = None
@@ -83,7 +87,7 @@ class Fire:
     def burn(self, ignitions: dict[int, int]) -> dict[int, int]:
         """Arrival time of every burnt cell, from cells and the times at which they are lit."""
         arrival: dict[int, int] = {}
-        heap = [(t, c) for c, t in ignitions.items() if c >= 0 and not (self._held(c, t) and self._kept(c) == 0)]
+        heap = [(t, c) for c, t in ignitions.items() if c >= 0 and not (self._kept(c) == 0 and self._starts_not(c, t))]
         heapq.heapify(heap)
         while heap:
             t, cell = heapq.heappop(heap)
@@ -100,6 +104,12 @@ class Fire:
 
     def _held(self, cell: int, t: float) -> bool:
         return cell in self.stands and self._manned(cell, t)
+
+    def _starts_not(self, cell: int, t: float) -> bool:
+        return self._held(cell, t) or (word(self.ground_key, cell) >> 44) / 2**20 < self._cleared(cell, t)
+
+    def _cleared(self, cell: int, t: float) -> float:
+        return 0.0 if self.ground is None or not self._manned(cell, t) else float(self.ground[cell])
 
     def _kept(self, cell: int) -> float:
         return float(np.broadcast_to(self.residual, self.network.shape).flat[cell])
@@ -144,5 +154,5 @@ class Fire:
                 target = row * cols + col
                 when = t + max(60, round(e.delay * math.exp(e.delay_sigma * normal(key, at + 3))))
                 chance = float(e.catches[target]) * (self._kept(target) if self._held(target, when) else 1.0)
-                if uniform(key, at + 2) < chance:
+                if uniform(key, at + 2) < chance * (1.0 - self._cleared(target, when)):
                     yield when, target
