@@ -64,6 +64,7 @@ def factorise(matrix: sp.csr_array, shift: float) -> SuperLU:
         (shift * identity - matrix).tocsc(),
         permc_spec="MMD_AT_PLUS_A",
         diag_pivot_thresh=0.0,
+        panel_size=1,  # what wider panels would gain goes into their working space: columns share few rows
         options={"SymmetricMode": True},
     )
 
@@ -125,6 +126,7 @@ def _irreducible(matrix: sp.csr_array, tolerance: float, guess: float) -> tuple[
             found.improve(np.abs(solver.solve(found.x)), 2)  # two steps smooth the rounding of the solution
             if found.near(tolerance) or last == (found.lower, found.upper):
                 break
+        del solver  # before the next factors are made: they are the most memory that there is here
         if before == (found.lower, found.upper):
             break
         shift = found.upper

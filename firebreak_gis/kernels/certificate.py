@@ -78,7 +78,6 @@ def localised_bounds(operator: Operator, tolerance: float, progress: Progress) -
         Lower bound, upper bound, and the positive vector that proves the upper one. Memory: 3 vectors.
     """
     x, spare, upper = _power_steps(operator, progress)
-    best_x = x.copy()
     lower = 0.0
     tried: list[_Window] = []
     for start in _spots(x):
@@ -92,6 +91,7 @@ def localised_bounds(operator: Operator, tolerance: float, progress: Progress) -
     lower = max(lower, strongest.block.lower)
     if not settled:
         return lower, upper, x
+    best_x = x.copy()
     for _ in range(_ROUNDS):
         goal = lower * (1.0 + 0.9 * tolerance)
         _lift(operator, x, strongest)

@@ -69,19 +69,25 @@ class NetworkBlocks:
         self._step = rows if self._halo is None else step
         self.account = Account()
         self.n_burnable, self._sum, self._rates = 0, 0.0, np.zeros(0, np.int64)
-        self._first = self._made(0)
-        self.provenance: dict[str, Any] = dict(self._first[1].provenance)
+        self._first: tuple[slice, SpreadNetwork] | None = self._made(0)
+        network = self._first[1]
+        self.provenance: dict[str, Any] = dict(network.provenance)
+        self._timed = network.timed
         if spread.clock:
-            self._first[1].require_times("--clock")
+            network.require_times("--clock")
 
     def __iter__(self) -> Iterator[tuple[int, xr.Dataset]]:
         """Give the first row and the data of each block."""
         for start in self._starts:
-            rows, network = self._made(start) if start else self._first
-            self._progress(start / self._landscape.grid.shape[0], "spread network")
-            data = network.to_dataset().isel(y=rows)
-            self._add(network, rows)
-            yield start, data
+            yield start, self._data(start)
+
+    def _data(self, start: int) -> xr.Dataset:
+        """The data of a block, of which nothing else is kept."""
+        self._progress(start / self._landscape.grid.shape[0], "spread network")
+        rows, network = self._first if start == 0 and self._first is not None else self._made(start)
+        self._first = None
+        self._add(network, rows)
+        return network.to_dataset().isel(y=rows)
 
     def whole(self) -> SpreadNetwork:
         """Make the network of the whole landscape at once."""
@@ -95,7 +101,7 @@ class NetworkBlocks:
     @property
     def rate(self) -> float | None:
         """Median rate of spread over the edges [m/h]."""
-        if not self._first[1].timed:
+        if not self._timed:
             return None
         until = np.cumsum(self._rates)
         if until.size == 0 or until[-1] == 0:

@@ -5,7 +5,9 @@ eigenvalue of A. beta sets how far a cell looks: 0 is the degree; towards 1 x gr
 the eigenvector, which is what beta = 1 returns (largest entry 1). `in` uses A transposed (how fire arrives; the
 orientation of the paper), `out` uses A (how fire leaves).
 
-lambda_max is enclosed between two bounds and the solution is accurate to 1e-10 in every cell. A network of several
+lambda_max is enclosed between two bounds, of which the upper one is taken, and the solution for it is accurate to 1e-10
+in every cell. The bounds are 1e-9 apart, but 1e-4 to 1e-3 where the densest fuel is the same over more than 240 x 240
+cells; there cells look as much less far than `beta` says. A network of several
 islands has one lambda_max, that of the strongest. A network without cycles has lambda_max = 0: the formula has no
 value there and the degree is returned. With `recompute_every` the centrality is found anew on the network
 that is left after every few cuts, and the order of removal is returned.

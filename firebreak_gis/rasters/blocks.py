@@ -94,6 +94,7 @@ def write_blocks(
             forbid=forbid,
         )
     blocks = waiting if first is None else chain([first], waiting)
+    del first  # as every block, it goes once it is written
     place = Path(path)
     remove = [place.with_name(place.name + suffix) for suffix in SIDECARS]
     with (
@@ -170,6 +171,7 @@ def _gather(
                 with _failing(scratch):
                     target.write(planes, window=Window(0, row, grid.shape[1], rows))
                 written += rows
+                del data, layers, planes  # before the next block is made
         finally:
             if target is not None:
                 with _failing(scratch):

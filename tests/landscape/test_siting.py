@@ -9,8 +9,10 @@ from firebreak_gis import rank, select_breaks, simulate, spread_network
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.landscape.siting import (
     Siting,
+    beside,
     crests,
     difficulty,
+    distance,
     features,
     fuel_edges,
     site,
@@ -200,3 +202,11 @@ def test_walls_keep_to_good_ground_and_still_hold(make_landscape):
         assert breaks.sum() == round(0.1 * network.n_burnable)
     assert on["sited"] > 0.9 > 2.5 * on["plain"]
     assert burnt["sited"] < 0.5 * float(simulate(network, n_runs=200, seed=4)["fire_size"].mean())
+
+
+@pytest.mark.parametrize("reach", [0.0, 25.0, 39.0, 40.0, 70.0])
+def test_what_lies_beside_is_what_lies_within_reach(reach):
+    mask = np.random.default_rng(4).random((23, 17)) < 0.03
+    near = distance(mask, 20.0) <= max(reach, 1.5 * 20.0)
+    np.testing.assert_array_equal(beside(mask, 20.0, reach), near)
+    assert mask.sum() < near.sum() < near.size
