@@ -54,6 +54,8 @@ class Variable:
         Dimension along which a simulation gives several such planes, each of which is written by itself.
     colours
         "#rrggbb" per class code, or a ramp (low to high) under keys 0, 1, 2, ... for continuous ones.
+    bits
+        Bits of a number in files that hold it packed, see `rasters.packing`; 0: as it is.
     """
 
     name: str
@@ -67,6 +69,7 @@ class Variable:
     classes: Mapping[int, str] = field(default_factory=dict)
     colours: Mapping[int, str] = field(default_factory=dict)
     along: str = ""
+    bits: int = 0
 
     @property
     def bands(self) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.sparse as sp
+from scipy.linalg.blas import dtrsv
 from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import SuperLU, splu
 
@@ -58,15 +59,31 @@ def grid_matrix(planes: np.ndarray, boundary: str, weights: np.ndarray | None = 
 
 
 def factorise(matrix: sp.csr_array, shift: float) -> SuperLU:
-    """Factors of shift * I - A. For a shift above the radius pivots on the diagonal are safe."""
+    """Factors of shift * I - A. For a shift above the radius pivots on the diagonal are safe.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If the shift is the radius to the last digit.
+    MemoryError
+        If the factors do not fit.
+    """
     identity = sp.eye_array(matrix.shape[0], format="csc")
-    return splu(
-        (shift * identity - matrix).tocsc(),
-        permc_spec="MMD_AT_PLUS_A",
-        diag_pivot_thresh=0.0,
-        panel_size=1,  # what wider panels would gain goes into their working space: columns share few rows
-        options={"SymmetricMode": True},
-    )
+    # BLAS takes its 32 MB at the first call, and where SuperLU has reserved all that there is it tries to for ever.
+    dtrsv(np.eye(1), np.ones(1))
+    try:
+        return splu(
+            (shift * identity - matrix).tocsc(),
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            panel_size=1,  # what wider panels would gain goes into their working space: columns share few rows
+            options={"SymmetricMode": True},
+        )
+    except RuntimeError as error:
+        # SuperLU has one class for both. Taken for the other, want of memory would give bounds that are no good.
+        if "singular" in str(error):
+            raise np.linalg.LinAlgError(str(error)) from error
+        raise MemoryError(str(error)) from error
 
 
 def block_bounds(matrix: sp.csr_array, tolerance: float, *, guess: float = 0.0) -> Block:
@@ -118,7 +135,7 @@ def _irreducible(matrix: sp.csr_array, tolerance: float, guess: float) -> tuple[
             break
         try:
             solver = factorise(matrix, shift * (1.0 + ROUNDING))
-        except RuntimeError:  # the shift is the radius to the last digit
+        except np.linalg.LinAlgError:  # the shift is the radius to the last digit
             break
         before = found.lower, found.upper
         for _ in range(_SOLUTIONS):

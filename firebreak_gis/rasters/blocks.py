@@ -50,6 +50,7 @@ def write_blocks(
     provenance: Mapping[str, Any] | None = None,
     creation_options: Mapping[str, Any] | None = None,
     forbid: Iterable[str | os.PathLike[str]] = (),
+    bits: int | None = None,
 ) -> Path:
     """Write variables of the schema that come in blocks of rows; cells and texts are those of `write_raster`.
 
@@ -57,7 +58,7 @@ def write_blocks(
 
     Parameters
     ----------
-    path, overwrite, provenance, creation_options, forbid
+    path, overwrite, provenance, creation_options, forbid, bits
         As in `write_raster`.
     blocks
         First row of each block, a multiple of `ROWS`, and its data, over the whole width. All have the variables of the
@@ -92,6 +93,7 @@ def write_blocks(
             provenance=provenance,
             creation_options=creation_options,
             forbid=forbid,
+            bits=bits,
         )
     blocks = waiting if first is None else chain([first], waiting)
     del first  # as every block, it goes once it is written
@@ -103,7 +105,7 @@ def write_blocks(
     ):
         scratch = part.with_name(f"{part.name}.rows.tif")  # goes with the part, whatever happens
         try:
-            variables, sums = _gather(scratch, blocks, grid, provenance or {})
+            variables, sums = _gather(scratch, blocks, grid, provenance or {}, bits)
             with _failing(place):
                 _encode(scratch, part, {**cog_options(variables[0]), **lower(creation_options or {})})
                 _compare(scratch, part, sums)
@@ -137,7 +139,11 @@ def _failing(place: str | os.PathLike[str]) -> Iterator[None]:
 
 
 def _gather(
-    scratch: Path, blocks: Iterable[tuple[int, xr.Dataset]], grid: Grid, provenance: Mapping[str, Any]
+    scratch: Path,
+    blocks: Iterable[tuple[int, xr.Dataset]],
+    grid: Grid,
+    provenance: Mapping[str, Any],
+    bits: int | None,
 ) -> tuple[list[Any], dict[int, int]]:
     """Write the blocks into one file of tiles; return the variables, and a checksum of each block.
 
@@ -157,7 +163,7 @@ def _gather(
             for row, data in blocks:
                 layers = list(data.data_vars.values())
                 if target is None:
-                    variables = variables_of(layers)
+                    variables = variables_of(layers, bits)
                     tiles = {"tiled": True, "blockxsize": ROWS, "blockysize": ROWS, "compress": "DEFLATE", "zlevel": 1}
                     how = {"driver": "GTiff", "bigtiff": "YES", "interleave": "pixel", **tiles}
                     with _failing(scratch):

@@ -64,6 +64,8 @@ class Header:
         The values, for data in memory.
     remote
         Whether the values may come over the network or out of an archive.
+    bits
+        Bits of a number if the band holds them packed, see `packing`; 0: it does not.
     """
 
     path: str
@@ -85,6 +87,7 @@ class Header:
     declared: bool = False
     array: np.ndarray | None = None
     remote: bool = False
+    bits: int = 0
 
     @property
     def north_up(self) -> bool:
@@ -164,6 +167,7 @@ def read_header(
             notes=notes,
             remote=remote,
             declared=src_nodata is not None,
+            bits={"8": 8, "16": 16}.get(source.tags(number).get("packed_bits", ""), 0),
         )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +16,7 @@ from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.rasters.header import Header, read_header, require_georeferenced
 from firebreak_gis.rasters.nodata import is_value, told_of, undeclared_nodata
 from firebreak_gis.rasters.opening import open_raster
+from firebreak_gis.rasters.packing import packed, unpack
 from firebreak_gis.schema import VARIABLES, Variable
 
 if TYPE_CHECKING:
@@ -64,8 +65,10 @@ def read_cells(header: Header, window: Window | None = None, *, strict: bool = F
     Raises
     ------
     InputError
-        If the file is damaged, holds infinite values, or (`strict`) undeclared "no data".
+        If the file is damaged, holds infinite values or packed numbers, or (`strict`) undeclared "no data".
     """
+    if header.bits:
+        raise InputError(f"{header.path} holds numbers packed into {header.bits} bits, and is read as a network alone")
     return _settled(header, *_stored([header], window or (0, 0, *header.shape))[0], strict, sentinels)
 
 
@@ -240,7 +243,13 @@ def read_variables(files: Mapping[str, VariableFile], window: Window | None = No
     for name, file in files.items():
         planes = []
         for header in file._headers:
-            cells = _settled(header, *next(stored), strict=False, sentinels=False)
+            stands, valid = next(stored)
+            if header.bits:
+                stands, header = (
+                    unpack(stands, packed(file._variable, header.bits)),
+                    replace(header, nodata=(), scale=1.0),
+                )
+            cells = _settled(header, stands, valid, strict=False, sentinels=False)
             values, valid = (_north_up(header, plane) for plane in (cells.values, cells.valid))
             planes.append(_as_variable(values, valid, file._variable, header.path))
         made[name] = planes[0] if file._variable.dims[0] != "direction" else np.stack(planes)

@@ -19,6 +19,7 @@ from firebreak_gis.grid import Grid, crs_name, parse_crs
 from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.projections import outline, to_lonlat
 from firebreak_gis.rasters.opening import open_raster
+from firebreak_gis.rasters.packing import largest_error, pack, packed, step
 from firebreak_gis.rasters.reading import TAG
 from firebreak_gis.schema import VARIABLES, Variable
 from firebreak_gis.styles.rasters import qml, rgba
@@ -44,6 +45,7 @@ def write_raster(
     provenance: Mapping[str, Any] | None = None,
     creation_options: Mapping[str, Any] | None = None,
     forbid: Iterable[str | os.PathLike[str]] = (),
+    bits: int | None = None,
 ) -> Path:
     """Write variables of the schema as a cloud-optimised GeoTIFF, and the QGIS style of the first beside it.
 
@@ -67,6 +69,9 @@ def write_raster(
         More options of the GDAL driver COG, for example {"compress": "zstd"}.
     forbid
         Input files, none of which may be the target.
+    bits
+        8 or 16: probabilities, travel times and heat are packed into so many bits, which `read_variable` undoes. The
+        file tells the largest errors. None: numbers as they are.
 
     Returns
     -------
@@ -96,7 +101,7 @@ def write_raster(
     """
     require_geotiff(path)
     layers: list[Any] = [data] if hasattr(data, "dtype") else list(data.data_vars.values())
-    variables = variables_of(layers)
+    variables = variables_of(layers, bits)
     variable = variables[0]
     grid = Grid.of(data)
     planes = planes_of(layers, variables, grid.shape)
@@ -129,12 +134,14 @@ def tags_of(data: xr.DataArray | xr.Dataset, provenance: Mapping[str, Any]) -> d
     return {**provenance, **{key: data.attrs[key] for key in _KEPT if key in data.attrs}}
 
 
-def variables_of(layers: Sequence[xr.DataArray]) -> list[Variable]:
+def variables_of(layers: Sequence[xr.DataArray], bits: int | None = None) -> list[Variable]:
     """Variables of the schema that are to be bands of one file."""
     variables = [_variable_of(layer) for layer in layers]
+    if bits is not None:
+        variables = [packed(variable, bits) for variable in variables]
     variable = variables[0]
     for other in variables[1:]:
-        if (disk_dtype(other), other.nodata) != (disk_dtype(variable), variable.nodata):
+        if (disk_dtype(other), disk_nodata(other)) != (disk_dtype(variable), disk_nodata(variable)):
             raise InputError(
                 f"{variable.name} and {other.name} cannot be bands of one file: {disk_dtype(variable)} with no data "
                 f"{variable.nodata} and {disk_dtype(other)} with {other.nodata}; write one file each"
@@ -172,12 +179,19 @@ def _variable_of(data: xr.DataArray) -> Variable:
 
 def disk_dtype(variable: Variable) -> np.dtype[Any]:
     """Return the data type of a variable in files; GeoTIFF has no booleans."""
+    if variable.bits:
+        return np.dtype(f"uint{variable.bits}")
     return np.dtype("uint8" if variable.dtype == "bool" else variable.dtype)
+
+
+def disk_nodata(variable: Variable) -> float | None:
+    """Return what stands for "no data" in files."""
+    return float((1 << variable.bits) - 1) if variable.bits else variable.nodata
 
 
 def _stored_values(values: np.ndarray, variable: Variable) -> np.ndarray:
     """Return what goes into the file: "no data" put in, type of the schema, nothing lost."""
-    kind = disk_dtype(variable)
+    kind = disk_dtype(replace(variable, bits=0))
     if values.dtype.kind not in "iufb":
         raise InputError(f"{variable.name} holds {values.dtype} values, expected {variable.dtype}")
     missing = np.isnan(values) if values.dtype.kind == "f" else np.zeros(values.shape, dtype=bool)
@@ -204,6 +218,8 @@ def _stored_values(values: np.ndarray, variable: Variable) -> np.ndarray:
             )
     if kind.kind != "f" and values.dtype.kind == "f" and not np.array_equal(inside, np.round(inside)):
         raise InputError(f"{variable.name} holds fractions, expected whole numbers")
+    if variable.bits:
+        return pack(values, missing, variable)
     filled = np.where(missing, 0 if variable.nodata is None else variable.nodata, values) if missing.any() else values
     stored = filled.astype(kind)
     if kind.kind == "f" and variable.nodata is not None and (stored[~missing] == variable.nodata).any():
@@ -260,7 +276,7 @@ def profile_of(grid: Grid, variables: Sequence[Variable]) -> dict[str, Any]:
         "width": grid.shape[1],
         "dtype": disk_dtype(variable).name,
         "transform": grid.transform,
-        "nodata": variable.nodata,
+        "nodata": disk_nodata(variable),
     }
     return profile if grid.crs is None else {**profile, "crs": grid.crs.to_wkt()}
 
@@ -289,7 +305,12 @@ def describe(target: Any, variables: Sequence[Variable], provenance: Mapping[str
         target.set_band_unit(band, variable.units)
         meaning = {f"CLASS_{code}": label for code, label in variable.classes.items()}
         target.update_tags(band, variable=variable.name, long_name=variable.text, **meaning)
+        if variable.bits:
+            error = largest_error(variable.name, variable.bits)
+            target.update_tags(band, packed_bits=variable.bits, largest_error=f"{error:.2g}")
     variable = variables[0]
+    if variable.bits:
+        target.scales = tuple(step(variable) for variable, _ in bands)  # so that QGIS shows probabilities
     if variable.classes and variable.colours:
         target.write_colormap(1, {code: rgba(colour) for code, colour in variable.colours.items()})
 
@@ -323,10 +344,9 @@ def _compare(part: Path, planes: np.ndarray, grid: Grid, variable: Variable) -> 
                 f"{variable.name}: the file cannot keep the CRS {crs_name(grid.crs)} as it is, places would lie "
                 "elsewhere; choose another one, e.g. UTM (--dst-crs)"
             )
-        if source.nodata != variable.nodata and not (source.nodata is None and variable.nodata is None):
-            raise VerificationError(
-                f"{variable.name}: no data written as {variable.nodata}, read back as {source.nodata}"
-            )
+        nodata = disk_nodata(variable)
+        if source.nodata != nodata and not (source.nodata is None and nodata is None):
+            raise VerificationError(f"{variable.name}: no data written as {nodata}, read back as {source.nodata}")
         for band, plane in enumerate(planes, start=1):
             if not np.array_equal(source.read(band), plane):
                 raise VerificationError(

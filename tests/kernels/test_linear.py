@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from firebreak_gis.kernels.bands import Bands
-from firebreak_gis.kernels.blocks import block_bounds, grid_matrix
+from firebreak_gis.kernels.blocks import block_bounds, factorise, grid_matrix
 from firebreak_gis.kernels.linear import Operator, degree, katz
 from firebreak_gis.kernels.spectrum import perron_vector, spectral_radius
 from firebreak_gis.network import SpreadNetwork
@@ -271,3 +271,16 @@ def test_bands_cover_every_row_once():
             seen: list[int] = []
             bands.run(lambda first, stop: seen.extend(range(first, stop)))  # noqa: B023
         assert sorted(seen) == list(range(rows))
+
+
+@pytest.mark.parametrize(
+    ("said", "error"),
+    [("Factor is exactly singular", np.linalg.LinAlgError), ("SUPERLU_MALLOC fails for buf", MemoryError)],
+)
+def test_want_of_memory_is_not_taken_for_the_radius(monkeypatch, said, error):
+    def splu(*_, **__):
+        raise RuntimeError(said)
+
+    monkeypatch.setattr("firebreak_gis.kernels.blocks.splu", splu)
+    with pytest.raises(error):
+        factorise(grid_matrix(np.ones((8, 3, 4), np.float32), "open"), 9.0)

@@ -29,10 +29,20 @@ STEP = 3
     help="Also write the probabilities for other tools: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) or "
     ".graphml (up to 20,000 cells with fuel). Cells are numbered row by row from the upper left.",
 )
+@click.option(
+    "--bits",
+    type=click.Choice(["exact", "16", "8"]),
+    default="exact",
+    show_default=True,
+    help="Bits of a number in the file. With 16 probabilities are wrong by 8e-6 at most, times and heat by 0.013 %; "
+    "with 8 by 0.002 and 3.4 %. Every command reads such files.",
+)
 @options.fitting("network")
 @options.common
 @built(output=OutputRequest, spread=SpreadRequest)
-def command(session: Session, folder: str, output: OutputRequest, spread: SpreadRequest, export: str | None) -> None:
+def command(
+    session: Session, folder: str, output: OutputRequest, spread: SpreadRequest, export: str | None, bits: str
+) -> None:
     """Build the spread network of the landscape in FOLDER (made by align).
 
     Band d holds the probability that fire spreads from the cell to its neighbour in direction d, in the order
@@ -48,6 +58,7 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
     from firebreak_gis.planning.blocks import NetworkBlocks
     from firebreak_gis.progress import part
     from firebreak_gis.rasters import files_behind, write_blocks
+    from firebreak_gis.rasters.packing import errors_of
 
     inputs = files_behind([*map(str, Path(folder).glob("*.tif")), *input_files(spread.sources)])
     require_writable(output.output, overwrite=output.overwrite, forbid=inputs)
@@ -74,6 +85,9 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
         | made.provenance
     )
     files = [output.output, *([export] if export else [])]
+    few = None if bits == "exact" else int(bits)
+    errors = {} if few is None else errors_of(few, timed=spread.clock)
+    tags |= errors
     with together(*(Path(name).parent for name in files)):
         write_blocks(
             output.output,
@@ -83,14 +97,17 @@ def command(session: Session, folder: str, output: OutputRequest, spread: Spread
             provenance=tags,
             forbid=inputs,
             creation_options=output.creation_options,
+            bits=few,
         )
         if export:
             write_graph(made.whole(), export, overwrite=output.overwrite)
     warning = f", in the times alone: {made.provenance['left_out']}" if made.provenance.get("left_out") else ""
     pace = {} if made.rate is None else {"median_rate_m_h": made.rate}
     told_pace = "" if made.rate is None else f", median rate of spread {made.rate:g} m/h{warning}"
+    megabytes = Path(output.output).stat().st_size / 1e6
+    told_errors = "".join(f", {name.replace('_', ' ')} at most {error:.2g}" for name, error in errors.items())
     session.finish(
-        {"files": files, "burnable_cells": made.n_burnable, **pace},
-        f"{made.n_burnable} cells with fuel, mean edge probability {made.mean:.3f}{told_pace}; written to "
-        f"{', '.join(files)}",
+        {"files": files, "burnable_cells": made.n_burnable, **pace, **errors},
+        f"{made.n_burnable} cells with fuel, mean edge probability {made.mean:.3f}{told_pace}{told_errors}; written to "
+        f"{', '.join(files)} ({megabytes:.3g} MB)",
     )

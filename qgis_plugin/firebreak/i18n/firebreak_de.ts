@@ -424,6 +424,26 @@
         <translation>Schreibt die Wahrscheinlichkeiten auch für andere Programme: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) oder .graphml (bis 20,000 Zellen mit Brennstoff). Zellen sind zeilenweise von links oben gezählt.</translation>
     </message>
     <message>
+        <source>Bits</source>
+        <translation>Bits</translation>
+    </message>
+    <message>
+        <source>Bits of a number in the file. With 16 probabilities are wrong by 8e-6 at most, times and heat by 0.013 %; with 8 by 0.002 and 3.4 %. Every command reads such files.</source>
+        <translation>Bits einer Zahl in der Datei. Mit 16 sind Wahrscheinlichkeiten um höchstens 8e-6 falsch, Zeiten und Wärme um 0.013 %; mit 8 um 0.002 und 3.4 %. Jeder Befehl liest solche Dateien.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>16</source>
+        <translation>16</translation>
+    </message>
+    <message>
+        <source>8</source>
+        <translation>8</translation>
+    </message>
+    <message>
         <source>Where a line can be held</source>
         <translation>Wo eine Linie zu halten ist</translation>
     </message>

@@ -424,6 +424,26 @@
         <translation>Γράφει και τις πιθανότητες για άλλα προγράμματα: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) ή .graphml (έως 20,000 κελιά με καύσιμη ύλη). Τα κελιά αριθμούνται γραμμή προς γραμμή από πάνω αριστερά.</translation>
     </message>
     <message>
+        <source>Bits</source>
+        <translation>Δυαδικά ψηφία ανά αριθμό</translation>
+    </message>
+    <message>
+        <source>Bits of a number in the file. With 16 probabilities are wrong by 8e-6 at most, times and heat by 0.013 %; with 8 by 0.002 and 3.4 %. Every command reads such files.</source>
+        <translation>Bit ανά αριθμό στο αρχείο. Με 16 οι πιθανότητες απέχουν το πολύ 8e-6, οι χρόνοι και η θερμότητα 0.013 %· με 8 απέχουν 0.002 και 3.4 %. Κάθε εντολή διαβάζει τέτοια αρχεία.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Ακριβώς</translation>
+    </message>
+    <message>
+        <source>16</source>
+        <translation>16 ψηφία</translation>
+    </message>
+    <message>
+        <source>8</source>
+        <translation>8 ψηφία</translation>
+    </message>
+    <message>
         <source>Where a line can be held</source>
         <translation>Πού μπορεί να κρατηθεί μια γραμμή</translation>
     </message>

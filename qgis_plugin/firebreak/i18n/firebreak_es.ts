@@ -424,6 +424,26 @@
         <translation>Escribe además las probabilidades para otros programas: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) o .graphml (hasta 20,000 celdas con combustible). Las celdas se numeran fila a fila desde arriba a la izquierda.</translation>
     </message>
     <message>
+        <source>Bits</source>
+        <translation>Bits</translation>
+    </message>
+    <message>
+        <source>Bits of a number in the file. With 16 probabilities are wrong by 8e-6 at most, times and heat by 0.013 %; with 8 by 0.002 and 3.4 %. Every command reads such files.</source>
+        <translation>Bits de cada número en el archivo. Con 16 las probabilidades yerran en 8e-6 como máximo, los tiempos y el calor en 0.013 %; con 8, en 0.002 y 3.4 %. Todas las órdenes leen estos archivos.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exacto</translation>
+    </message>
+    <message>
+        <source>16</source>
+        <translation>16</translation>
+    </message>
+    <message>
+        <source>8</source>
+        <translation>8</translation>
+    </message>
+    <message>
         <source>Where a line can be held</source>
         <translation>Dónde se puede defender una línea</translation>
     </message>

@@ -424,6 +424,26 @@
         <translation>Écrit aussi les probabilités pour d'autres logiciels : .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) ou .graphml (jusqu'à 20,000 cellules avec combustible). Les cellules sont numérotées ligne par ligne depuis le haut à gauche.</translation>
     </message>
     <message>
+        <source>Bits</source>
+        <translation>Bits</translation>
+    </message>
+    <message>
+        <source>Bits of a number in the file. With 16 probabilities are wrong by 8e-6 at most, times and heat by 0.013 %; with 8 by 0.002 and 3.4 %. Every command reads such files.</source>
+        <translation>Bits par nombre dans le fichier. Avec 16, les probabilités sont fausses de 8e-6 au plus, les temps et la chaleur de 0.013 % ; avec 8, de 0.002 et 3.4 %. Toutes les commandes lisent ces fichiers.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exact</translation>
+    </message>
+    <message>
+        <source>16</source>
+        <translation>16</translation>
+    </message>
+    <message>
+        <source>8</source>
+        <translation>8</translation>
+    </message>
+    <message>
         <source>Where a line can be held</source>
         <translation>Où une ligne peut être tenue</translation>
     </message>

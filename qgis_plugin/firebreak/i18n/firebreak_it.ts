@@ -424,6 +424,26 @@
         <translation>Scrive anche le probabilità per altri programmi: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) o .graphml (fino a 20,000 celle con combustibile). Le celle sono numerate riga per riga dall'alto a sinistra.</translation>
     </message>
     <message>
+        <source>Bits</source>
+        <translation>Bit</translation>
+    </message>
+    <message>
+        <source>Bits of a number in the file. With 16 probabilities are wrong by 8e-6 at most, times and heat by 0.013 %; with 8 by 0.002 and 3.4 %. Every command reads such files.</source>
+        <translation>Bit per numero nel file. Con 16 le probabilità sono errate di 8e-6 al massimo, i tempi e il calore dello 0.013 %; con 8, di 0.002 e del 3.4 %. Ogni comando legge questi file.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Esatto</translation>
+    </message>
+    <message>
+        <source>16</source>
+        <translation>16</translation>
+    </message>
+    <message>
+        <source>8</source>
+        <translation>8</translation>
+    </message>
+    <message>
         <source>Where a line can be held</source>
         <translation>Dove si può tenere una linea</translation>
     </message>

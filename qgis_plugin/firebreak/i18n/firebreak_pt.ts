@@ -424,6 +424,26 @@
         <translation>Escreve também as probabilidades para outros programas: .mtx (Matrix Market), .mat (MATLAB), .npz (scipy.sparse) ou .graphml (até 20,000 células com combustível). As células são numeradas linha a linha a partir do canto superior esquerdo.</translation>
     </message>
     <message>
+        <source>Bits</source>
+        <translation>Bits</translation>
+    </message>
+    <message>
+        <source>Bits of a number in the file. With 16 probabilities are wrong by 8e-6 at most, times and heat by 0.013 %; with 8 by 0.002 and 3.4 %. Every command reads such files.</source>
+        <translation>Bits por número no ficheiro. Com 16 as probabilidades erram em 8e-6 no máximo, os tempos e o calor em 0.013 %; com 8, em 0.002 e 3.4 %. Todos os comandos leem estes ficheiros.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exato</translation>
+    </message>
+    <message>
+        <source>16</source>
+        <translation>16</translation>
+    </message>
+    <message>
+        <source>8</source>
+        <translation>8</translation>
+    </message>
+    <message>
         <source>Where a line can be held</source>
         <translation>Onde se pode defender uma linha</translation>
     </message>
