@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
+import tempfile
 import time
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from firebreak_gis import SpreadNetwork, burn_curve, simulate
+from firebreak_gis import SpreadNetwork, burn_curve, read_network, simulate, write_raster
 from firebreak_gis.kernels import arrival as arrival_kernel
 from firebreak_gis.kernels import draws, lanes, percolation
 from firebreak_gis.kernels.percolation import NOTHING_SPARED
+from firebreak_gis.planning.maps import MapInFiles
+from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation import timed as timed_runs
+from firebreak_gis.simulation.durations import Duration
 from firebreak_gis.simulation.embers import nothing_flies
+from firebreak_gis.simulation.fires import burn
 from firebreak_gis.simulation.holding import build_walls
 from firebreak_gis.simulation.products import Products, new_tally
 from firebreak_gis.simulation.request import FireRequest
+from firebreak_gis.simulation.windows import MapInMemory, burn_windows
 from tests.benchmarks import peers
 from tests.benchmarks.landscapes import fractal, paced
 from tests.benchmarks.measuring import Comparison, Figure, seconds, threads
@@ -83,7 +90,9 @@ def rows(side: int) -> Iterator[Comparison | Figure]:
         )
         yield from _against_peers(network, kernels.starts, name)
     yield from _curves(network)
-    yield from _timed(paced(side))
+    network = paced(side)
+    yield from _timed(network)
+    yield from _by_windows(network)
 
 
 def _timed(network: SpreadNetwork) -> Iterator[Comparison | Figure]:
@@ -133,6 +142,33 @@ def _timed(network: SpreadNetwork) -> Iterator[Comparison | Figure]:
         with threads(2):
             taken = seconds(lambda: simulate(network, duration="8h", n_runs=1000), clock=time.perf_counter)
         yield Figure("1,000 fires of 8 h (`simulate`), random ignitions", n_cells, taken, "s", at_most=5.0, threads=2)
+
+
+def _by_windows(network: SpreadNetwork) -> Iterator[Comparison]:
+    """Fires with a clock that read the map by windows, against the same fires on the whole of it; equal run by run."""
+    n_cells = network.burnable.size
+    request = FireRequest(n_runs=1000, duration=Duration("fixed", (8 * 3600.0,)))
+    path = str(write_raster(Path(tempfile.mkdtemp()) / "net.tif", network.to_dataset()))
+
+    def of_file() -> MapInFiles:
+        return MapInFiles(path, SpreadRequest(), WeatherRequest(), clock=True)
+
+    for name, source, whole in (
+        ("map in memory", lambda: MapInMemory(network), lambda: network),
+        ("map in a file", of_file, lambda: read_network(path)),
+    ):
+        yield Comparison(
+            f"1,000 fires of 8 h by windows, {name}",
+            n_cells,
+            "the whole map",
+            lambda source=source: burn_windows(source(), request, threads=1)["fire_size"].to_numpy(),
+            lambda whole=whole: burn(whole(), request, threads=1)["fire_size"].to_numpy(),
+            lambda a, b: bool((a == b).all()),
+            lambda sizes: float(sizes.size),
+            "ms/fire",
+            1e3,
+        )
+    Path(path).unlink()
 
 
 def _searched(peer: peers.MaskAndDijkstra, graphs: list[Any], start: int) -> np.ndarray:

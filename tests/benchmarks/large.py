@@ -68,7 +68,8 @@ def steps(place: Path, side: int) -> dict[str, list[str]]:
     """Words of each command."""
     layers = [str(place / f"{name}.tif") for name in ("dem", "vegetation", "density")]
     out = {
-        name: str(place / name) for name in ("land", "network.tif", "burnt.tif", "priority.tif", "walls.tif", "plan")
+        name: str(place / name)
+        for name in ("land", "network.tif", "burnt.tif", "priority.tif", "walls.tif", "judged", "plan")
     }
     cells = ["--max-memory", "64GB"]
     wind = ["--wind-speed", "5", "--wind-from", "315"]
@@ -82,6 +83,19 @@ def steps(place: Path, side: int) -> dict[str, list[str]]:
         ],
         "degree": ["rank", out["network.tif"], "-o", out["priority.tif"], "--method", "degree", *cells],
         "Bonacich": ["rank", out["network.tif"], "-o", out["priority.tif"], "--method", "bonacich", *cells],
+        "evaluate": [
+            *(
+                "evaluate",
+                out["network.tif"],
+                "-o",
+                out["judged"],
+                "--methods",
+                "degree,random",
+                "--budgets",
+                "0,5%,10%",
+            ),
+            *("--runs", "100", "--duration", "8h", *cells),
+        ],
         "dissection": ["rank", out["network.tif"], "-o", out["walls.tif"], "--method", "dissection", *cells],
         "plan": ["plan", *layers, "-o", out["plan"], *wind, *cells],
     }
