@@ -12,7 +12,7 @@ import rasterio
 from tests.benchmarks.landscapes import write_layers
 
 #: What is not enough memory for the network as a whole [bytes], and what the steps are given.
-TOO_LITTLE = 840_000_000
+TOO_LITTLE = 800_000_000
 LIMIT = TOO_LITTLE // 2
 SIDE = 1415
 
