@@ -14,7 +14,7 @@ import numpy as np
 
 from firebreak_gis.kernels import embers as flying
 from firebreak_gis.kernels.bits import lowest
-from firebreak_gis.kernels.buckets import AFAR, NOBODY, Buckets, buckets, refill
+from firebreak_gis.kernels.buckets import AFAR, DONE, NOBODY, Buckets, buckets, refill
 from firebreak_gis.kernels.draws import Thresholds, bytes_below, bytes_equal, later_digits, word
 from firebreak_gis.kernels.embers import Embers
 from firebreak_gis.kernels.percolation import Steps, number
@@ -296,9 +296,9 @@ def burn_run(
             before = arrival[target]
             if t < before and t <= limit:
                 bucket = t >> shift
-                if before != UNSEEN:  # out of the list where it waits
+                if before != UNSEEN and links[target, 0] != DONE:  # out of the list where it waits
                     left, right = links[target, 0], links[target, 1]
-                    if left < AFAR:
+                    if left < DONE:
                         links[left, 1] = right
                     elif left == AFAR:
                         heads[size_of_ring] = right

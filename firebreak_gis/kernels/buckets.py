@@ -12,6 +12,8 @@ from firebreak_gis.kernels.policy import kernel
 NOBODY = np.uint32(0xFFFFFFFF)
 #: Stands before the first cell of those further ahead than the ring.
 AFAR = np.uint32(0xFFFFFFFE)
+#: Stands before a cell that waits in no list, though fire came to it in a run that goes on.
+DONE = np.uint32(0xFFFFFFFD)
 #: Most buckets of the ring.
 MOST = 1 << 16
 

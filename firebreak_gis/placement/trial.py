@@ -19,12 +19,14 @@ from firebreak_gis.stakes import beside
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
+    from firebreak_gis.kernels.arrival import Workspace
     from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.progress import Progress
     from firebreak_gis.simulation.ground import Ground
     from firebreak_gis.simulation.request import FireRequest
+    from firebreak_gis.simulation.timed import Ready
     from firebreak_gis.stakes import Stakes
 
     Breaks = np.ndarray | LineBreaks | None
@@ -88,27 +90,92 @@ class Trial:
         from firebreak_gis.kernels.passing import let_through
 
         value = self.stakes.value.ravel()
-        given = self._given(cut, n_runs, first_run)
-        total = self._summed(
-            given, value.size, lambda *ready, sums: let_through(*ready, value, np.zeros(value.size), sums), progress
-        )
-        return np.asarray(total.reshape(self.stakes.value.shape))
+
+        def passed(ready: Ready, space: Workspace, runs: np.ndarray, sums: np.ndarray) -> None:
+            let_through(*ready.given, space, runs, value, np.zeros(value.size), sums)
+
+        groups = made_ready(**self._given(cut, n_runs, first_run))
+        return self._summed(groups, n_runs, value.size, passed, progress).reshape(self.stakes.value.shape)
+
+    def worth(
+        self,
+        parts: Sequence[np.ndarray],
+        built: np.ndarray,
+        *,
+        n_runs: int,
+        first_run: int = 0,
+        progress: Progress = silent,
+    ) -> tuple[np.ndarray, float]:
+        """What each part of breaks saves by itself beside those that are built, and the value that fires take.
+
+        Parameters
+        ----------
+        parts
+            Row-major cells of each part; no cell is in two.
+        built
+            (n_parts,) bool. A built part is worth what more burns without it, another what less burns with it.
+        n_runs, first_run, progress
+            As in `losses`.
+
+        Returns
+        -------
+        worth : numpy.ndarray
+            (n_parts,) float64, mean over the fires. Embers that a change of far cells lets land are left out, and
+            breaks that hold by their width are as wide as if all parts were built.
+        lost : float
+            Mean over the fires.
+        """
+        from firebreak_gis.kernels import worth as kernels
+
+        value = self.stakes.value.ravel()
+        cells = np.concatenate([*parts, np.zeros(0, np.int64)]).astype(np.int64)
+        first = np.cumsum([0, *(each.size for each in parts)])
+        of = np.full(value.size, -1, np.int32)
+        of[cells] = np.repeat(np.arange(len(parts), dtype=np.int32), np.diff(first))
+        up = cells[np.repeat(built, np.diff(first))]
+        bare = made_ready(**self._given(None, n_runs, first_run))
+
+        def readied() -> Iterator[Ready]:
+            """With walls of all parts, which are then taken down but for those that are built."""
+            everywhere = (of >= 0).reshape(self.stakes.value.shape)
+            for ready, without in zip(made_ready(**self._given(everywhere, n_runs, first_run)), bare, strict=True):
+                walls, uncut = ready.given[5], without.given[5].holds
+                uncut = uncut if uncut.size else np.zeros_like(walls.holds)
+                holds = uncut.copy()
+                holds[up] = walls.holds[up]
+                laid = kernels.Parts(first, cells, of, built, walls.holds, uncut)
+                yield ready._replace(given=(*ready.given[:5], walls._replace(holds=holds), ready.given[6], laid))
+
+        def added(ready: Ready, space: Workspace, runs: np.ndarray, sums: np.ndarray) -> None:
+            *before, walls, embers, laid = ready.given
+            walls = walls._replace(holds=walls.holds.copy())
+            memory = kernels.kept(value.size, n_runs, len(parts))
+            sums[-1] += kernels.worth(
+                *before, walls, embers, space, runs, value, laid, memory, sums[:-1]
+            )
+
+        total = self._summed(readied(), n_runs, len(parts) + 1, added, progress)
+        return total[:-1], float(total[-1])
 
     def _summed(
-        self, given: dict[str, Any], size: int, kernel: Callable[..., object], progress: Progress
+        self,
+        groups: Iterable[Ready],
+        n_runs: int,
+        size: int,
+        kernel: Callable[[Ready, Workspace, np.ndarray, np.ndarray], None],
+        progress: Progress,
     ) -> np.ndarray:
         """Mean over the fires of what a kernel adds up; runs are pieced alike for any number of threads."""
         spaces, n_cells = Spaces(), self.stakes.value.size
-        n_runs = given["request"].n_runs
         total = np.zeros(size)
         done = 0
-        for ready in made_ready(**given):
+        for ready in groups:
             runs = ready.group.runs
             pieces = np.array_split(runs, min(_PIECES, runs.size))
             sums = np.zeros((len(pieces), size))
 
-            def work(k: int, ready: Any = ready, pieces: Any = pieces, sums: Any = sums) -> None:
-                kernel(*ready.given, spaces.mine(n_cells, ready.span), pieces[k], sums=sums[k])
+            def work(k: int, ready: Ready = ready, pieces: Any = pieces, sums: Any = sums) -> None:
+                kernel(ready, spaces.mine(n_cells, ready.span), pieces[k], sums[k])
 
             report = part(progress, done / n_runs, (done + runs.size) / n_runs)
             run_pieces(work, range(len(pieces)), threads=self.threads, progress=report, message="burning")
