@@ -191,10 +191,10 @@ def _set(walls: Walls, parts: Parts, part: int, cut: bool) -> None:
 @kernel
 def _holds(walls: Walls, parts: Parts, part: int, run: int) -> bool:
     """Whether any cell of a part holds in the run."""
+    held = False
     for i in range(parts.first[part], parts.first[part + 1]):
-        if stands(walls, run, np.uint64(parts.cells[i])):
-            return True
-    return False
+        held = held or stands(walls, run, np.uint64(parts.cells[i]))
+    return held
 
 
 @kernel

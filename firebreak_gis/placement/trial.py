@@ -150,9 +150,7 @@ class Trial:
             *before, walls, embers, laid = ready.given
             walls = walls._replace(holds=walls.holds.copy())
             memory = kernels.kept(value.size, n_runs, len(parts))
-            sums[-1] += kernels.worth(
-                *before, walls, embers, space, runs, value, laid, memory, sums[:-1]
-            )
+            sums[-1] += kernels.worth(*before, walls, embers, space, runs, value, laid, memory, sums[:-1])
 
         total = self._summed(readied(), n_runs, len(parts) + 1, added, progress)
         return total[:-1], float(total[-1])

@@ -13,6 +13,8 @@ import numpy as np
 
 from firebreak_gis import plugins, ranking
 from firebreak_gis.breaks import Amount, Budget, removal_order, select_breaks
+from firebreak_gis.placement.dissection import lines_first
+from firebreak_gis.placement.exchanging import exchange
 from firebreak_gis.planning.refinement import refine as improve
 from firebreak_gis.planning.thickening import thickened
 from firebreak_gis.progress import Progress, part, silent
@@ -136,9 +138,9 @@ def design(
     trial
         Fires with a clock, of the kind that will judge the plan, on which methods may try designs; None: no clock.
     refine
-        Whether the plan is improved by local search, see `planning.refinement.refine`; then the ranking is good for
-        this budget only, and a width is not kept. With a clock the improved plan
-        counts only if it loses less on those fires too.
+        Whether the plan is improved by local search; then the ranking is good for this budget only. Without a clock
+        cells are moved (`planning.refinement.refine`), and a width is not kept; with one parts of walls are
+        (`placement.exchanging.exchange`).
 
     Returns
     -------
@@ -164,33 +166,27 @@ def design(
     if not refine:
         return designs(budget, residual, progress or silent)
     priority = designs(budget, residual, part(progress, 0.0, 0.5))
-    better = improve(
-        network,
-        stakes,
-        priority,
-        budget=budget,
-        residual=residual,
-        seed=seed,
-        progress=part(progress, 0.5, 1.0, "local search: "),
-    )
-    refined = priority.copy(data=np.where(np.isneginf(priority), -np.inf, better)).assign_attrs(budget.record)
+    step = part(progress, 0.5, 1.0, "local search: ")
     if trial is None:
-        return refined
-    # The search knows no clock: what it finds must also lose less where there is one.
-    fires = trial.under(residual)
-    n_runs = fires.runs(_CHECKED)
-    old, new = (
-        fires.losses(
-            select_breaks(each, budget=budget, burnable=network.burnable, cost=stakes.cost).to_numpy() > 0,
-            n_runs=n_runs,
-        ).sum()
-        for each in (priority, refined)
-    )
-    return refined if new < old else priority
+        better = improve(network, stakes, priority, budget=budget, residual=residual, seed=seed, progress=step)
+    else:
+        better = _exchanged(network, stakes, priority, budget, trial.under(residual), step)
+    return priority.copy(data=np.where(np.isneginf(priority), -np.inf, better)).assign_attrs(budget.record)
 
 
-#: Cells that the fires burn on which a refined plan is checked, where nothing is cut.
-_CHECKED = 2e6
+def _exchanged(
+    network: SpreadNetwork, stakes: Stakes, priority: xr.DataArray, budget: Budget, trial: Trial, progress: Progress
+) -> np.ndarray:
+    """The ranking that cuts first what `placement.exchanging` finds, and else as it was."""
+    plane = priority.to_numpy()
+    before = select_breaks(priority, budget=budget, burnable=network.burnable, cost=stakes.cost).to_numpy() > 0
+    price = stakes.cost if budget.unit == "cost" else network.burnable.astype(np.float64)
+    money = budget.amount if budget.unit == "cost" else float(np.count_nonzero(before))
+    cut = exchange(network, stakes, trial, plane, price=price, money=money, progress=progress)
+    if cut is None:
+        return plane
+    cells = np.flatnonzero(cut)
+    return lines_first([cells[np.argsort(-plane.ravel()[cells], kind="stable")]], stakes, plane)
 
 
 class Designs:

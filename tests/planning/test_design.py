@@ -164,21 +164,6 @@ def test_fires_with_a_clock_are_told_to_methods_that_take_them():
     assert fixed(0.1, 0.0, silent) is fixed(0.2, 0.0, silent)
 
 
-def test_a_refined_plan_counts_only_if_fires_with_a_clock_agree(monkeypatch):
-    network = timed_network(1)
-    stakes = Stakes(network)
-    trial = Trial(Ground(network), FireRequest(duration=as_duration("30min")), stakes, 0)
-    rng = np.random.default_rng(0)
-    given = {"stakes": stakes, "budget": Budget(0.1), "trial": trial}
-    plain = design(network, "random", **given)
-    walls = rank(network, "dissection").to_numpy()
-    for found, counts in ((walls, True), (rng.random(network.shape), False)):
-        monkeypatch.setattr("firebreak_gis.planning.design.improve", lambda *args, found=found, **more: found)
-        refined = design(network, "dissection" if not counts else "random", refine=True, **given)
-        assert ((refined.to_numpy() == found) | ~network.burnable).all() == counts
-    np.testing.assert_array_equal(plain, design(network, "random", **given))
-
-
 def thick_twin(order, network, protected, width):
     """Cells in the order in which squares around the ranked cells bring them along."""
     rows, cols = network.shape
