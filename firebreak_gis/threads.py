@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import heapq
 import os
-from collections.abc import Callable, Sequence
-from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from itertools import count
 from typing import TypeVar
 
 from firebreak_gis.errors import ParameterError, ResourceError
 from firebreak_gis.progress import Progress
 
 Piece = TypeVar("Piece")
+Result = TypeVar("Result")
 
 _LISTEN_EVERY = 0.2  # seconds
 
@@ -63,10 +66,7 @@ def run_pieces(
     done = 0
     pool = ThreadPoolExecutor(thread_count(threads))
     try:
-        try:
-            waiting = {pool.submit(work, piece) for piece in pieces}
-        except RuntimeError as error:
-            raise ResourceError("the system starts no further thread; raise its limit or allow more memory") from error
+        waiting = {_submitted(pool, work, piece) for piece in pieces}
         while waiting:
             progress(done / len(pieces), message)
             finished, waiting = wait(waiting, timeout=_LISTEN_EVERY, return_when=FIRST_COMPLETED)
@@ -77,3 +77,63 @@ def run_pieces(
         # Not waited for: what is at work ends by itself, and its results are not looked at after a stop.
         pool.shutdown(wait=False, cancel_futures=True)
     progress(1.0, message)
+
+
+def run_growing(
+    work: Callable[[Piece], Iterable[Piece]],
+    pieces: Iterable[Piece],
+    *,
+    size: Callable[[Piece], float],
+    threads: int | None,
+    progress: Progress,
+    message: Callable[[], str],
+) -> None:
+    """Call `work` on every piece, and on the pieces that it returns, several at a time, the largest first.
+
+    Parameters
+    ----------
+    work
+        As in `run_pieces`; returns what is left to do of a piece.
+    pieces
+        Those to begin with.
+    size
+        Work that a piece is with all that will come of it; what is returned is no more than what was given.
+    threads, progress
+        As in `run_pieces`; the share done is that of the sizes.
+    message
+        Returns the text for `progress`.
+
+    Raises
+    ------
+    ResourceError
+        If no thread can be started.
+    """
+    number = count()
+    waiting = [(-size(piece), next(number), piece) for piece in pieces]
+    heapq.heapify(waiting)
+    total = left = -sum(each for each, _, _ in waiting)
+    n_threads = thread_count(threads)
+    pool = ThreadPoolExecutor(n_threads)
+    running: dict[Future[Iterable[Piece]], float] = {}
+    try:
+        while waiting or running:
+            while waiting and len(running) < n_threads:
+                heaviness, _, piece = heapq.heappop(waiting)
+                running[_submitted(pool, work, piece)] = -heaviness
+            progress(min(max(1.0 - left / max(total, 1e-300), 0.0), 1.0), message())
+            finished, _ = wait(running, timeout=_LISTEN_EVERY, return_when=FIRST_COMPLETED)
+            for future in finished:
+                left -= running.pop(future)
+                for piece in future.result():
+                    left += size(piece)
+                    heapq.heappush(waiting, (-size(piece), next(number), piece))
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+    progress(1.0, message())
+
+
+def _submitted(pool: ThreadPoolExecutor, work: Callable[[Piece], Result], piece: Piece) -> Future[Result]:
+    try:
+        return pool.submit(work, piece)
+    except RuntimeError as error:
+        raise ResourceError("the system starts no further thread; raise its limit or allow more memory") from error

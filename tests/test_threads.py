@@ -10,7 +10,7 @@ import pytest
 
 from firebreak_gis.errors import Cancelled, ParameterError
 from firebreak_gis.progress import silent
-from firebreak_gis.threads import run_pieces, thread_count
+from firebreak_gis.threads import run_growing, run_pieces, thread_count
 
 
 @pytest.mark.parametrize("threads", [1, 2, 5])
@@ -71,6 +71,51 @@ def test_an_error_in_a_piece_comes_through():
 
     with pytest.raises(ZeroDivisionError, match="piece 3"):
         run_pieces(work, range(6), threads=2, progress=silent, message="")
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_what_is_left_of_pieces_is_done_too_the_largest_first(threads):
+    done, heard = [], []
+
+    def halves(piece):
+        done.append(piece)
+        return [piece // 2, piece - piece // 2 - 1] if piece > 1 else []
+
+    run_growing(
+        halves,
+        [3, 20, 7],
+        size=lambda piece: piece**1.5,
+        threads=threads,
+        progress=lambda f, m: heard.append((f, m)),
+        message=lambda: f"{len(done)} done",
+    )
+    waiting, expected = [3, 20, 7], []
+    while waiting:
+        piece = waiting.pop(waiting.index(max(waiting)))
+        expected.append(piece)
+        waiting += [piece // 2, piece - piece // 2 - 1] if piece > 1 else []
+    assert sorted(done) == sorted(expected)
+    assert threads > 1 or done == expected
+    shares = [f for f, _ in heard]
+    assert shares == sorted(shares)
+    assert shares[0] == 0.0
+    assert heard[-1] == (1.0, f"{len(done)} done")
+
+
+def test_growing_work_is_stopped_and_tells_its_errors():
+    def work(piece):
+        if piece == 3:
+            raise ZeroDivisionError("piece 3")
+        return [piece + 1]
+
+    with pytest.raises(ZeroDivisionError, match="piece 3"):
+        run_growing(work, [0], size=lambda _: 1.0, threads=2, progress=silent, message=str)
+
+    def stop(fraction, message):
+        raise Cancelled("enough")
+
+    with pytest.raises(Cancelled, match="enough"):
+        run_growing(lambda piece: [piece], [0], size=lambda _: 1.0, threads=1, progress=stop, message=str)
 
 
 def test_number_of_threads(monkeypatch):

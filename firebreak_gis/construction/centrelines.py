@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from firebreak_gis.construction.keys import keyed
+
 if TYPE_CHECKING:
     import shapely
     from affine import Affine
@@ -104,12 +106,13 @@ def find_borders(labels: np.ndarray, cut: np.ndarray, *, periodic: bool = False)
     sides = np.concatenate([here, there])
     owners = np.concatenate([edge, edge])
     owners, sides = owners[wall[sides]], sides[wall[sides]]
-    known = np.unique(np.column_stack([grid.cell(sides), owners]), axis=0)
+    key, sizes = keyed(grid.cell(sides), owners)
+    cell, stretch = np.unravel_index(np.unique(key), sizes)
     reached = _descend(grid, depth, sides, owners)
     nearest = np.full(cut.size, len(pair), np.int64)
     np.minimum.at(nearest, grid.cell(quarters), np.where(reached[quarters] < 0, len(pair), reached[quarters]))
     nearest[nearest == len(pair)] = -1
-    return Borders(pair, edge, ends, known[:, 0], known[:, 1], nearest.reshape(cut.shape))
+    return Borders(pair, edge, ends, cell, stretch, nearest.reshape(cut.shape))
 
 
 def draw_lines(borders: Borders, transform: Affine) -> list[shapely.Geometry]:
@@ -283,9 +286,8 @@ def _stretches(one: np.ndarray, other: np.ndarray, ends: np.ndarray) -> tuple[np
     if one.size == 0:
         return np.zeros((0, 2), np.int64), np.zeros(0, np.int64)
     pairs = np.column_stack([np.minimum(one, other), np.maximum(one, other)]).astype(np.int64)
-    _, pair = np.unique(pairs, axis=0, return_inverse=True)
-    points = np.column_stack([np.repeat(pair.ravel(), 2), ends.reshape(-1, 2)])
-    _, node = np.unique(points, axis=0, return_inverse=True)
+    _, pair = np.unique(keyed(*pairs.T)[0], return_inverse=True)
+    _, node = np.unique(keyed(np.repeat(pair, 2), *ends.reshape(-1, 2).T)[0], return_inverse=True)
     node = node.reshape(-1, 2).astype(np.int32)  # scipy's graphs know no longer numbers
     n = int(node.max()) + 1
     _, part = connected_components(sp.coo_array((np.ones(len(node)), (node[:, 0], node[:, 1])), (n, n)), directed=False)

@@ -9,6 +9,7 @@ import numpy as np
 
 from firebreak_gis.construction.centrelines import Borders, draw_lines, find_borders, mean_width, middle_line
 from firebreak_gis.construction.compartments import Compartments, split, weights
+from firebreak_gis.construction.keys import keyed
 from firebreak_gis.construction.sequence import construction_order, gains
 from firebreak_gis.grid import outlines
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
@@ -214,16 +215,11 @@ def _find_pieces(network: SpreadNetwork, parts: Compartments, borders: Borders, 
         sides[piece, empty[:1]] = k
     inside = np.flatnonzero(cut)
     near_cell, near_stretch = _between(network, borders, cell * (parts.cells.size + 1) + compartment, parts.cells.size)
-    claims = np.unique(
-        np.column_stack(
-            [
-                np.concatenate([inside, borders.cell, near_cell]),
-                np.concatenate([main[inside], borders.cell_stretch, near_stretch]),
-            ]
-        ),
-        axis=0,
+    key, sizes = keyed(
+        np.concatenate([inside, borders.cell, near_cell]),
+        np.concatenate([main[inside], borders.cell_stretch, near_stretch]),
     )
-    return _Pieces(sides, main, claims[:, 0], claims[:, 1])
+    return _Pieces(sides, main, *np.unravel_index(np.unique(key), sizes))
 
 
 def _touches(parts: Compartments, cut: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -2,28 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-
-@dataclass
-class _Groups:
-    """All segments between the same two compartments as one; arrays of equal length, shortened as groups go."""
-
-    one: np.ndarray
-    other: np.ndarray
-    cost: np.ndarray
-    ignition: np.ndarray
-    value: np.ndarray
-    members: list[list[int]]
-
-    def drop(self, gone: np.ndarray) -> None:
-        kept = np.ones(self.one.size, bool)
-        kept[gone] = False
-        for name in ("one", "other", "cost", "ignition", "value"):
-            setattr(self, name, getattr(self, name)[kept])
-        self.members = [self.members[i] for i in np.flatnonzero(kept)]
+from firebreak_gis.construction.keys import keyed
+from firebreak_gis.kernels.joining import take_away
 
 
 def construction_order(
@@ -72,15 +54,12 @@ def construction_order(
     last = loose[np.lexsort((loose, -score[loose], -saved / np.maximum(cost[loose], least)))]
     np.add.at(mass[0], side, ignition[loose])
     np.add.at(mass[1], side, value[loose])
-    groups = _group(pair, cost, ignition, value, score)
-    place = np.full(mass.shape[1], -1)
-    removed: list[list[int]] = []
-    while groups.one.size:
-        own = np.array([groups.ignition, groups.value])
-        lost = _joined(mass[:, groups.one], mass[:, groups.other], own)
-        k = int(np.argmin(lost / np.maximum(groups.cost, least)))
-        removed.append(sorted(groups.members[k], key=lambda i: (-score[i], i)))
-        _join(groups, k, mass, place)
+    one, other, sums, members = _borders(pair, cost, ignition, value, score)
+    turns, into = take_away(one, other, *sums, mass, least)
+    for k in turns.tolist():  # what is joined to a border is gone before it
+        if into[k] >= 0:
+            members[into[k]] += members[k]
+    removed = [sorted(members[k], key=lambda i: (-score[i], i)) for k in turns.tolist() if into[k] < 0]
     return removed[::-1] + [[int(i)] for i in last]
 
 
@@ -92,8 +71,10 @@ def _joined(one: np.ndarray, other: np.ndarray, own: np.ndarray) -> np.ndarray:
     return loss
 
 
-def _group(pair: np.ndarray, cost: np.ndarray, ignition: np.ndarray, value: np.ndarray, score: np.ndarray) -> _Groups:
-    """Borders in the order in which equal ones are taken away."""
+def _borders(
+    pair: np.ndarray, cost: np.ndarray, ignition: np.ndarray, value: np.ndarray, score: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, list[np.ndarray], list[list[int]]]:
+    """Borders in the order in which equal ones are taken away: compartments, sums of cost and so on, and segments."""
     closing = np.flatnonzero(pair[:, 1] > 0)
     sides, group = np.unique(pair[closing], axis=0, return_inverse=True)
     group = group.ravel()
@@ -105,28 +86,7 @@ def _group(pair: np.ndarray, cost: np.ndarray, ignition: np.ndarray, value: np.n
     for i, k in zip(closing.tolist(), rank.tolist(), strict=True):
         members[k].append(i)
     sums = [np.bincount(rank, weights=plane[closing], minlength=len(sides)) for plane in (cost, ignition, value)]
-    return _Groups(sides[order, 0], sides[order, 1], sums[0], sums[1], sums[2], members)
-
-
-def _join(groups: _Groups, k: int, mass: np.ndarray, place: np.ndarray) -> None:
-    """Take border k away: its two compartments become one, and so do their borders to a common neighbour."""
-    keep, gone = int(groups.one[k]), int(groups.other[k])
-    mass[:, keep] += mass[:, gone] + np.array([groups.ignition[k], groups.value[k]])
-    groups.drop(np.array([k]))
-    moved = np.flatnonzero((groups.one == gone) | (groups.other == gone))
-    stay = np.flatnonzero((groups.one == keep) | (groups.other == keep))
-    groups.one[groups.one == gone] = keep
-    groups.other[groups.other == gone] = keep
-    beyond = groups.one + groups.other - keep
-    place[beyond[stay]] = stay
-    double = moved[place[beyond[moved]] >= 0]
-    into = place[beyond[double]]
-    place[beyond[stay]] = -1
-    for plane in (groups.cost, groups.ignition, groups.value):
-        plane[into] += plane[double]
-    for i, j in zip(double.tolist(), into.tolist(), strict=True):
-        groups.members[j] += groups.members[i]
-    groups.drop(double)
+    return sides[order, 0], sides[order, 1], sums, members
 
 
 def gains(
@@ -168,7 +128,8 @@ def gains(
     saved = np.bincount(turn[n_parts:], weights=ignition[cut] * value[cut], minlength=position.size)
     mass_i, mass_v = (_node_mass(plane, labels, cut, n_parts) for plane in (ignition, value))
     ways = node[links]
-    ways = np.unique(np.sort(ways[:, (turn[ways[0]] >= 0) | (turn[ways[1]] >= 0)], axis=0), axis=1)
+    key, sizes = keyed(*np.sort(ways[:, (turn[ways[0]] >= 0) | (turn[ways[1]] >= 0)], axis=0))
+    ways = np.array(np.unravel_index(np.unique(key), sizes))
     when = turn[ways].max(axis=0, initial=-1)
     order = np.argsort(when, kind="stable")
     root = list(range(turn.size))

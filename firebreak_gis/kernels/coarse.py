@@ -9,43 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from firebreak_gis.kernels.policy import inlined, kernel
-
-
-@kernel
-def _numbered(cells: np.ndarray, rows: int, cols: int) -> tuple[np.ndarray, int, int]:
-    """Position of each cell of the smallest rectangle around a patch in it, -1 for none; and its first row, column."""
-    top, bottom, left, right = rows, -1, cols, -1
-    for i in range(cells.size):
-        row, col = cells[i] // cols, cells[i] % cols
-        top, bottom = min(top, row), max(bottom, row)
-        left, right = min(left, col), max(right, col)
-    local = np.full((max(bottom - top + 1, 0), max(right - left + 1, 0)), -1, np.int32)
-    for i in range(cells.size):
-        local[cells[i] // cols - top, cells[i] % cols - left] = i
-    return local, top, left
-
-
-@inlined
-def _next(
-    cell: int,
-    d: int,
-    links: np.ndarray,
-    rows: int,
-    cols: int,
-    row_step: np.ndarray,
-    col_step: np.ndarray,
-    local: np.ndarray,
-    top: int,
-    left: int,
-) -> int:
-    """Position in the patch of the cell linked in a direction, -1 for none."""
-    found = -1
-    if (links[cell] >> d) & 1:
-        r, c = (cell // cols + row_step[d]) % rows - top, (cell % cols + col_step[d]) % cols - left
-        if 0 <= r < local.shape[0] and 0 <= c < local.shape[1]:
-            found = local[r, c]
-    return found
+from firebreak_gis.kernels.patches import placed
+from firebreak_gis.kernels.policy import kernel
 
 
 @kernel
@@ -73,15 +38,17 @@ def blocks(
         Number of the block of each cell, (n,) int32, and their links, (n_blocks, 8) int32 as `near` of `flow`. Of
         several blocks in one direction one is linked, about that to which most links lead; links go both ways.
     """
-    local, top, left = _numbered(cells, rows, cols)
+    local, at, steps = placed(cells, rows, cols, row_step, col_step)
     n = cells.size
+    square = np.empty(n, np.int32)
+    for v in range(n):
+        square[v] = cells[v] // cols // factor * (cols // factor + 1) + cells[v] % cols // factor
     label = np.full(n, -1, np.int32)
     queue = np.empty(n, np.int32)
     count = 0
     for start in range(n):
         if label[start] >= 0:
             continue
-        square_row, square_col = cells[start] // cols // factor, cells[start] % cols // factor
         label[start] = count
         queue[0] = start
         head, tail = 0, 1
@@ -89,13 +56,8 @@ def blocks(
             v = queue[head]
             head += 1
             for d in range(8):
-                u = _next(cells[v], d, links, rows, cols, row_step, col_step, local, top, left)
-                if (
-                    u >= 0
-                    and label[u] < 0
-                    and cells[u] // cols // factor == square_row
-                    and cells[u] % cols // factor == square_col
-                ):
+                u = local[at[v] + steps[d]] if (links[cells[v]] >> d) & 1 else -1
+                if u >= 0 and label[u] < 0 and square[u] == square[start]:
                     label[u] = count
                     queue[tail] = u
                     tail += 1
@@ -103,11 +65,11 @@ def blocks(
     found = np.full((count, 8), -1, np.int32)
     votes = np.zeros((count, 8), np.int32)
     for v in range(n):
-        row, col = cells[v] // cols, cells[v] % cols
         for d in range(8):
-            u = _next(cells[v], d, links, rows, cols, row_step, col_step, local, top, left)
+            u = local[at[v] + steps[d]] if (links[cells[v]] >> d) & 1 else -1
             if u < 0 or label[u] == label[v]:
                 continue
+            row, col = cells[v] // cols, cells[v] % cols
             down = (cells[u] // cols // factor - row // factor) * (1 if abs(cells[u] // cols - row) <= 1 else -1)
             across = (cells[u] % cols // factor - col // factor) * (1 if abs(cells[u] % cols - col) <= 1 else -1)
             for k in range(8):
@@ -156,7 +118,7 @@ def band(
     numpy.ndarray
         (n,) uint8: 1 in the band, 2 in the cells around it.
     """
-    local, top, left = _numbered(cells, rows, cols)
+    local, at, steps = placed(cells, rows, cols, row_step, col_step)
     n = cells.size
     found = np.zeros(n, np.uint8)
     queue = np.empty(n, np.int32)
@@ -165,7 +127,7 @@ def band(
         seam = side[v] == 0
         if not seam:
             for d in range(8):
-                u = _next(cells[v], d, links, rows, cols, row_step, col_step, local, top, left)
+                u = local[at[v] + steps[d]] if (links[cells[v]] >> d) & 1 else -1
                 if u >= 0 and side[u] != 0 and side[u] != side[v]:
                     seam = True
                     break
@@ -181,7 +143,7 @@ def band(
             v = queue[head]
             head += 1
             for d in range(8):
-                u = _next(cells[v], d, links, rows, cols, row_step, col_step, local, top, left)
+                u = local[at[v] + steps[d]] if (links[cells[v]] >> d) & 1 else -1
                 if u >= 0 and found[u] == 0:
                     found[u] = mark
                     queue[tail] = u

@@ -12,6 +12,39 @@ from firebreak_gis.kernels.policy import kernel
 
 
 @kernel
+def placed(
+    cells: np.ndarray, rows: int, cols: int, row_step: np.ndarray, col_step: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Positions of the cells of a patch in the smallest rectangle around it, for steps without a look at its border.
+
+    Returns
+    -------
+    tuple
+        The rectangle with a margin of one cell, flat, int32: number of the cell in the patch, -1 for none; where each
+        cell of the patch lies in it, (n,) int32; and the steps to the eight neighbours. Where the rectangle is as high
+        or as wide as the grid the margin holds the cells of the other border, for grids that are a torus.
+    """
+    n = cells.size
+    top, bottom, left, right = rows, -1, cols, -1
+    for i in range(n):
+        row, col = cells[i] // cols, cells[i] % cols
+        top, bottom = min(top, row), max(bottom, row)
+        left, right = min(left, col), max(right, col)
+    high, wide = max(bottom - top + 1, 0), max(right - left + 1, 0)
+    local = np.full((high + 2, wide + 2), -1, np.int32)
+    at = np.empty(n, np.int32)
+    for i in range(n):
+        row, col = cells[i] // cols - top + 1, cells[i] % cols - left + 1
+        local[row, col] = i
+        at[i] = row * (wide + 2) + col
+    if high == rows:
+        local[0], local[high + 1] = local[high], local[1]
+    if wide == cols:
+        local[:, 0], local[:, wide + 1] = local[:, wide], local[:, 1]
+    return local.ravel(), at, row_step * (wide + 2) + col_step
+
+
+@kernel
 def patch_links(
     cells: np.ndarray, links: np.ndarray, rows: int, cols: int, row_step: np.ndarray, col_step: np.ndarray
 ) -> np.ndarray:
@@ -29,23 +62,12 @@ def patch_links(
     numpy.ndarray
         `near`.
     """
-    n = cells.shape[0]
-    top, bottom, left, right = rows, -1, cols, -1
-    for i in range(n):
-        row, col = cells[i] // cols, cells[i] % cols
-        top, bottom = min(top, row), max(bottom, row)
-        left, right = min(left, col), max(right, col)
-    local = np.full((max(bottom - top + 1, 0), max(right - left + 1, 0)), -1, np.int32)
-    for i in range(n):
-        local[cells[i] // cols - top, cells[i] % cols - left] = i
-    near = np.full((n, 8), -1, np.int32)
-    for i in range(n):
-        row, col = cells[i] // cols, cells[i] % cols
+    local, at, steps = placed(cells, rows, cols, row_step, col_step)
+    near = np.full((cells.size, 8), -1, np.int32)
+    for i in range(cells.size):
         for d in range(8):
             if (links[cells[i]] >> d) & 1:
-                r, c = (row + row_step[d]) % rows, (col + col_step[d]) % cols
-                if top <= r <= bottom and left <= c <= right:
-                    near[i, d] = local[r - top, c - left]
+                near[i, d] = local[at[i] + steps[d]]
     return near
 
 

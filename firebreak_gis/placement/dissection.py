@@ -11,18 +11,19 @@ from __future__ import annotations
 import heapq
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
+from threading import Lock
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from firebreak_gis.memory import BLOCK_CELLS
-from firebreak_gis.placement.patches import COARSE_FROM, Patches
+from firebreak_gis.placement.patches import COARSE_FROM, Patches, Walls
 from firebreak_gis.progress import part, silent
-from firebreak_gis.threads import run_pieces
+from firebreak_gis.threads import run_growing, run_pieces
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
-    from firebreak_gis.placement.patches import Split
     from firebreak_gis.placement.regions import Region
     from firebreak_gis.progress import Progress
     from firebreak_gis.stakes import Stakes
@@ -134,26 +135,22 @@ class _Tree:
 
     def __init__(self, patches: Patches, shape: tuple[int, int], smallest: int, sizes: np.ndarray | None) -> None:
         self.cuts: list[Cut] = []
-        self._patches, self._shape, self._smallest, self._sizes = patches, shape, smallest, sizes
+        self._patches, self._shape, self._smallest = patches, shape, smallest
+        self._sizes = np.zeros(patches.cost.size, np.int32) if sizes is None else sizes
 
     def down(self, compartments: Sequence[np.ndarray], parent: int, threads: int | None, progress: Progress) -> None:
         """Split connected compartments, which stand once a wall does, all the way down."""
-        waiting = [(cells, parent) for cells in compartments]
-        left = total = sum(work_of(cells.size, self._smallest) for cells in compartments)
-        while waiting:
-            waiting = [(cells, above) for cells, above in waiting if cells.size >= self._smallest]
-            share = 1.0 - left / max(total, 1.0)
-            left = sum(work_of(cells.size / 2, self._smallest) for cells, _ in waiting)
-            report = _scaled(progress, share, 1.0 - left / max(total, 1.0), f"{len(self.cuts)} walls")
-            children = []
-            for (cells, above), split in zip(
-                waiting, _splits(self._patches, [cells for cells, _ in waiting], threads, report), strict=True
-            ):
-                if split is not None:
-                    saved = self._patches.loss(cells) - sum(self._patches.loss(piece) for piece in split.pieces)
-                    children += [(piece, len(self.cuts)) for piece in split.pieces]
-                    self._add(split.wall, cells, saved, above, cells.size)
-            waiting = children
+        growth = _Growth(self._patches, self._smallest, self._sizes)
+        run_growing(
+            growth.split,
+            growth.left_of(compartments, -1),
+            size=_Left.work,
+            threads=threads,
+            progress=progress,
+            message=lambda: f"{len(self.cuts) + growth.n_walls} walls",
+        )
+        first = len(self.cuts)
+        self.cuts += [replace(cut, parent=parent if cut.parent < 0 else first + cut.parent) for cut in growth.cuts()]
 
     def by_regions(self, burnable: np.ndarray, largest: int, threads: int | None, progress: Progress) -> list[Cut]:
         """Part the map into regions, and split each all the way down by itself."""
@@ -179,7 +176,7 @@ class _Tree:
         def work(k: int) -> None:
             region, parent = leaves[k]
             cells = regions.cells(region)
-            if self._sizes is not None and parent >= 0:
+            if parent >= 0:
                 self._sizes[cells] = self.cuts[parent].size
             own = _Tree(self._patches, self._shape, self._smallest, self._sizes)
             own.down([cells], -1, 1, silent)
@@ -194,30 +191,123 @@ class _Tree:
 
     def _add(self, wall: np.ndarray, cells: np.ndarray, saved: float, parent: int, size: int) -> None:
         line = along(wall, self._shape)
-        if self._sizes is not None:
-            self._sizes[cells] = size
+        self._sizes[cells] = size
         self.cuts.append(Cut(line, float(self._patches.cost[line].sum()), saved, parent, size))
 
 
-def _splits(
-    patches: Patches, compartments: Sequence[np.ndarray], threads: int | None, progress: Progress
-) -> list[Split | None]:
-    """How every compartment is split."""
-    found: list[Split | None] = [None] * len(compartments)
+@dataclass(frozen=True, eq=False)
+class _Left:
+    """Compartments that are left to split: a large one once, small ones all the way down.
 
-    def work(batch: list[int]) -> None:
-        for i in batch:
-            found[i] = patches.split(compartments[i])
+    Parameters
+    ----------
+    pieces
+        Each with its place among those that the wall above leaves.
+    above
+        Number of that wall, -1 for none.
+    """
 
-    run_pieces(work, batches(compartments), threads=threads, progress=progress, message="")
-    return found
+    pieces: list[tuple[int, np.ndarray]]
+    above: int
+
+    def work(self) -> float:
+        """Rough work that they are."""
+        return float(sum(cells.size * np.log2(cells.size) for _, cells in self.pieces))
 
 
-def _scaled(progress: Progress, start: float, stop: float, message: str) -> Progress:
-    def report(fraction: float, text: str) -> None:  # noqa: ARG001
-        progress(start + (stop - start) * fraction, message)
+class _Growth:
+    """The walls so far; threads add to them in any order.
 
-    return report
+    Parameters
+    ----------
+    patches, smallest, sizes
+        As in `dissect`.
+    """
+
+    def __init__(self, patches: Patches, smallest: int, sizes: np.ndarray) -> None:
+        self._patches, self._smallest, self._sizes = patches, smallest, sizes
+        self._alone = min(patches.coarse_from, COARSE_FROM)
+        self._lock = Lock()
+        self._found: list[Walls] = []
+        self.n_walls = 0
+
+    def left_of(self, pieces: Sequence[np.ndarray], above: int) -> list[_Left]:
+        """What is to be split of the pieces that a wall leaves."""
+        found: list[_Left] = []
+        batch: list[tuple[int, np.ndarray]] = []
+        for k, cells in enumerate(pieces):
+            if cells.size > self._alone:
+                found.append(_Left([(k, cells)], above))
+            elif cells.size >= self._smallest:
+                batch.append((k, cells))
+                if sum(each.size for _, each in batch) >= _BATCH:
+                    found.append(_Left(batch, above))
+                    batch = []
+        return [*found, _Left(batch, above)] if batch else found
+
+    def split(self, left: _Left) -> list[_Left]:
+        """Split compartments; what is left to split of their pieces."""
+        if left.pieces[0][1].size <= self._alone:
+            for k, cells in left.pieces:
+                self._add(self._patches.split_down(cells, self._smallest, self._sizes), left.above, k)
+            return []
+        ((k, cells),) = left.pieces
+        split = self._patches.split(cells)
+        if split is None:
+            return []
+        self._sizes[cells] = cells.size
+        saved = self._patches.loss(cells) - sum(self._patches.loss(piece) for piece in split.pieces)
+        wall = along(split.wall, self._patches.shape)
+        one = Walls(wall, *(np.array([each]) for each in (wall.size, -1, 0, cells.size, saved)))
+        return self.left_of(split.pieces, self._add(one, left.above, k))
+
+    def _add(self, walls: Walls, above: int, place: int) -> int:
+        """Keep walls of the `place`-th piece that wall `above` leaves; the number of the first."""
+        with self._lock:
+            start = self.n_walls
+            self.n_walls += walls.size.size
+            first = walls.parent < 0
+            parent = np.where(first, above, walls.parent + start)
+            self._found.append(walls._replace(parent=parent, sibling=np.where(first, place, walls.sibling)))
+        return start
+
+    def cuts(self) -> list[Cut]:
+        """All walls, level by level: the first of all, those of their pieces, and so on."""
+        if self.n_walls == 0:
+            return []
+        parent, sibling, size, saved = (np.concatenate(each) for each in list(zip(*self._found, strict=True))[2:])
+        lines = [each.cells[start:stop] for each in self._found for start, stop in pairwise([0, *each.ends.tolist()])]
+        order = _by_level(parent, sibling)
+        position = np.empty(order.size, np.int64)
+        position[order] = np.arange(order.size)
+        above = np.where(parent < 0, -1, position[parent])
+        return [
+            Cut(lines[k], float(self._patches.cost[lines[k]].sum()), gain, up, cells)
+            for k, gain, up, cells in zip(
+                order.tolist(), saved[order].tolist(), above[order].tolist(), size[order].tolist(), strict=True
+            )
+        ]
+
+
+def _by_level(parent: np.ndarray, sibling: np.ndarray) -> np.ndarray:
+    """Numbers of walls level by level, within a level as their parents are ordered, then by their own place.
+
+    Parameters
+    ----------
+    parent, sibling
+        (n,) number of the parent, -1 for none, and place among its children.
+    """
+    children = np.argsort(parent, kind="stable")
+    starts = np.searchsorted(parent[children], np.arange(-1, parent.size + 1))
+    order = []
+    level = np.array([-1])
+    while level.size:
+        first, last = starts[level + 1], starts[level + 2]
+        rank = np.repeat(np.arange(level.size), last - first)
+        level = children[np.arange(rank.size) + np.repeat(first - np.cumsum([0, *(last - first)[:-1]]), last - first)]
+        level = level[np.lexsort((sibling[level], rank))]
+        order.append(level)
+    return np.concatenate(order)
 
 
 def work_of(n_cells: float, smallest: int) -> float:
@@ -269,28 +359,37 @@ def sequence(saved: Sequence[float], cost: Sequence[float], parent: Sequence[int
     """
     n = len(saved)
     children: list[list[int]] = [[] for _ in range(n)]
-    groups: list[list[tuple[float, int, float, float, list[int]]]] = [[] for _ in range(n)]
-    roots: list[tuple[float, int, float, float, list[int]]] = []
     for i in range(n):
         if parent[i] >= 0:
             children[parent[i]].append(i)
+    # A group: what a unit of money saves, negative; its first wall; what it saves and costs; its last wall.
+    groups: list[list[tuple[float, int, float, float, int]]] = [[] for _ in range(n)]
+    roots: list[tuple[float, int, float, float, int]] = []
+    following = [-1] * n  # the next wall of the same group
     for i in range(n - 1, -1, -1):
-        heap: list[tuple[float, int, float, float, list[int]]] = []
+        heap: list[tuple[float, int, float, float, int]] = []
         for child in children[i]:
             if len(groups[child]) > len(heap):
                 heap, groups[child] = groups[child], heap
             for group in groups[child]:
                 heapq.heappush(heap, group)
             groups[child] = []
-        gain, price, members = saved[i], cost[i], [i]
+        gain, price, last = saved[i], cost[i], i
         while heap and heap[0][2] * price > gain * heap[0][3]:
             group = heapq.heappop(heap)
-            gain, price, members = gain + group[2], price + group[3], members + group[4]
-        heapq.heappush(heap, (-gain / price if price > 0 else -np.inf, i, gain, price, members))
+            following[last] = group[1]
+            gain, price, last = gain + group[2], price + group[3], group[4]
+        heapq.heappush(heap, (-gain / price if price > 0 else -np.inf, i, gain, price, last))
         groups[i] = heap
         if parent[i] < 0:
             roots += heap
-    return [i for group in sorted(roots) for i in group[4]]
+    order = []
+    for _, first, _, _, _ in sorted(roots):
+        wall = first
+        while wall >= 0:
+            order.append(wall)
+            wall = following[wall]
+    return order
 
 
 def lines_first(lines: Sequence[np.ndarray], stakes: Stakes, score: np.ndarray) -> np.ndarray:

@@ -10,13 +10,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from firebreak_gis.kernels.bisection import best_cut
 from firebreak_gis.kernels.coarse import band, blocks
-from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, cut_between
+from firebreak_gis.kernels.flow import UNCUTTABLE, cut_between
 from firebreak_gis.kernels.patches import patch_links, pieces_after, thin
+from firebreak_gis.kernels.splitting import split_down
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.placement.edges import links, mean_lit
 from firebreak_gis.placement.widening import wall_cost
@@ -41,7 +44,7 @@ _LEAK_STEPS = 8
 #: What a mean cell costs more for its leak; on Rhodes at 40 m this burns 3 to 4 % less, 1 as much, 3 more.
 _LEAK_WEIGHT = 0.3
 
-#: Side of what `flow.best_cut` marks 0, 1 and 2, as `Patches.exact_wall` takes it: its wall is on none.
+#: Side of what `bisection.best_cut` marks 0, 1 and 2, as `Patches.exact_wall` takes it: its wall is on none.
 SIDES = np.array([2, 0, 1], np.uint8)
 
 _ROW_STEP, _COL_STEP = np.array(ROW_STEP), np.array(COL_STEP)
@@ -61,6 +64,17 @@ class Split:
 
     wall: np.ndarray
     pieces: list[np.ndarray]
+
+
+class Walls(NamedTuple):
+    """Walls of a patch that is split all the way down, as `kernels.splitting.split_down` returns them."""
+
+    cells: np.ndarray
+    ends: np.ndarray
+    parent: np.ndarray
+    sibling: np.ndarray
+    size: np.ndarray
+    saved: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -139,10 +153,60 @@ class Patches:
         if mask is None:
             mask = np.zeros(cells.size, np.uint8)
             order = ordered(cells, self.shape, self.angles, periodic=self.periodic)
-            best_cut(near, self.capacity[cells], *self.masses(cells), order, self.shares, mask)
+            best_cut(near, self.capacity[cells], *self.masses(cells), order, self.heads, self.shares, mask)
         wall = (mask == 1).astype(np.uint8)
         thin(near, wall)
         return Split(cells[wall > 0], pieces_of(cells, near, wall)) if wall.any() else None
+
+    def split_down(self, cells: np.ndarray, smallest: int, sizes: np.ndarray) -> Walls:
+        """Split a connected patch as `split` does, and its pieces in turn until they are smaller than `smallest`.
+
+        Parameters
+        ----------
+        cells
+            (n,) int64, rising.
+        smallest
+            Pieces of fewer cells are left whole.
+        sizes
+            (rows * cols,) int32, set in the cells of each piece that is split to its number of cells.
+        """
+        return Walls(
+            *split_down(
+                cells,
+                self.links,
+                *self.shape,
+                _ROW_STEP,
+                _COL_STEP,
+                self.capacity,
+                self.ignition,
+                self.value,
+                self.ignitions,
+                self.values,
+                *self._places,
+                self.heads,
+                self.shares,
+                self.periodic,
+                smallest,
+                sizes,
+            )
+        )
+
+    @cached_property
+    def heads(self) -> np.ndarray:
+        """Directions of the grid, those first that lead straight along each direction of `angles`."""
+        along = np.round(np.sin(self.angles) * _ROW_STEP + np.cos(self.angles) * _COL_STEP, 6)
+        return np.argsort(-along, axis=1, kind="stable")
+
+    @cached_property
+    def _places(self) -> list[np.ndarray]:
+        """What rows, and what columns, add to the places of cells along each direction: in the plane, round a torus."""
+        factors, out = (np.sin(self.angles), np.cos(self.angles)), []
+        for size, factor in zip(self.shape, factors, strict=True):
+            steps = np.arange(size)
+            out.append(
+                factor * np.stack([np.broadcast_to(steps, (factor.size, size)), _round(steps, size, self.angles)])
+            )
+        return out
 
     def near(self, cells: np.ndarray) -> np.ndarray:
         """Links within some cells, as `kernels.flow` takes them."""
@@ -153,7 +217,7 @@ class Patches:
         return self.ignition[cells] / self.ignitions, self.value[cells] / self.values
 
     def _coarse_wall(self, cells: np.ndarray) -> np.ndarray | None:
-        """Mark of the wall, as `flow.best_cut` sets it, found coarsely and made exact; None if that finds none."""
+        """Mark of the wall, as `bisection.best_cut` sets it, found coarsely and made exact; None if that finds none."""
         factor = factor_for(cells.size, self.coarse_from)
         place = (self.links, *self.shape, _ROW_STEP, _COL_STEP)
         label, near = blocks(cells, *place, factor)
@@ -167,7 +231,7 @@ class Patches:
         row, col = (np.bincount(label, weights=line) / np.bincount(label) for line in (row, col))
         order = sorted_along(row, col, self.shape, self.angles, ring=ring)
         mark = np.zeros(near.shape[0], np.uint8)
-        best_cut(near, cost, *masses, order, self.shares, mark)
+        best_cut(near, cost, *masses, order, self.heads, self.shares, mark)
         if not (mark == 1).any():
             return None
         return self.exact_wall(cells, SIDES[mark][label], factor)
@@ -278,10 +342,15 @@ def sorted_along(
 ) -> np.ndarray:
     """Positions of places sorted along each of some directions, as `ordered`; round a ring if they form one."""
     if ring:  # it has no ends: from one side of it to the other
-        row, col = (np.cos(2.0 * np.pi * place / size + angles) for place, size in ((row, shape[0]), (col, shape[1])))
+        row, col = _round(row, shape[0], angles), _round(col, shape[1], angles)
     # Rounded, so that cells in line tie whatever the arithmetic; ties go by number.
     along = np.round(np.sin(angles) * row + np.cos(angles) * col, 6)
     return np.argsort(along, axis=1, kind="stable")
+
+
+def _round(places: np.ndarray, size: int, angles: np.ndarray) -> np.ndarray:
+    """How far along a direction places round an axis are."""
+    return np.asarray(np.cos(2.0 * np.pi * places / size + angles))
 
 
 def _ring(row: np.ndarray, col: np.ndarray, shape: tuple[int, int]) -> bool:

@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from firebreak_gis.kernels.bisection import best_cut
 from firebreak_gis.kernels.coarse import blocks
-from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut
+from firebreak_gis.kernels.flow import UNCUTTABLE
 from firebreak_gis.kernels.patches import thin
 from firebreak_gis.kernels.squares import UNNUMBERED, number_blocks
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
@@ -115,7 +116,7 @@ class Regions:
         near = self._near(ids, one, other, region.links)
         order = sorted_along(row / count, col / count, self._shape, patches.angles, ring=False)
         mark = np.zeros(ids.size, np.uint8)
-        best_cut(near, cost, ignition, value, order, patches.shares, mark)
+        best_cut(near, cost, ignition, value, order, patches.heads, patches.shares, mark)
         if not (mark == 1).any():
             return None
         side = SIDES[mark]

@@ -13,8 +13,9 @@ from hypothesis import strategies as st
 from scipy.ndimage import gaussian_filter
 
 from firebreak_gis.breaks import removal_order, select_breaks
+from firebreak_gis.kernels.bisection import best_cut
 from firebreak_gis.kernels.coarse import band, blocks
-from firebreak_gis.kernels.flow import UNCUTTABLE, best_cut, cut_between
+from firebreak_gis.kernels.flow import UNCUTTABLE, cut_between
 from firebreak_gis.kernels.patches import patch_links
 from firebreak_gis.kernels.squares import UNNUMBERED, number_blocks
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
@@ -164,7 +165,8 @@ def test_a_cut_is_the_cheapest_between_its_ends(seed, share):
     order = np.argsort(cells % network.shape[1], kind="stable")
     mask = np.zeros(cells.size, np.uint8)
     one = np.ones(cells.size)
-    _, cost = best_cut(near, capacity[cells], one, one, order[None], np.array([share]), mask)
+    heads = np.random.default_rng(seed).permutation(8)[None]  # the order in which ways are tried changes nothing
+    _, cost = best_cut(near, capacity[cells], one, one, order[None], heads, np.array([share]), mask)
     end = int(np.floor(share * cells.size + 1e-9)) + 1  # the first to hold more than the share
     source, sink = np.zeros(network.burnable.size, bool), np.zeros(network.burnable.size, bool)
     source[cells[order[:end]]], sink[cells[order[cells.size - end :]]] = True, True
@@ -252,9 +254,34 @@ def test_no_order_of_building_that_respects_parents_saves_more(seed, n):
 
 def test_threads_do_not_change_the_walls():
     network, stakes = landscape(4, (120, 200))
-    one, two = (cuts_of(network, stakes, threads=threads, smallest=2000) for threads in (1, 3))
+    one, two = (cuts_of(network, stakes, threads=threads, smallest=200, coarse_from=1000) for threads in (1, 3))
     assert len(one) == len(two)
+    assert len({cut.parent for cut in one}) > 20
     assert all((a.cells == b.cells).all() and a.parent == b.parent for a, b in zip(one, two, strict=True))
+
+
+@LANDSCAPES
+@given(seed=SEEDS, coarse=COARSE, smallest=st.sampled_from([2, 5, 16]), leaky=st.booleans())
+def test_walls_are_those_found_piece_by_piece(seed, coarse, smallest, leaky):
+    network, stakes = landscape(seed, (25, 31))
+    sizes = [np.zeros(network.burnable.size, np.int32) for _ in range(2)]
+    about = {"coarse_from": coarse, "smallest": smallest, "leaky": leaky}
+    found = cuts_of(network, stakes, sizes=sizes[0], threads=2, **about)
+    expected = twin.dissected(network, stakes, sizes=sizes[1], **about)
+    assert len(found) == len(expected)
+    for cut, other in zip(found, expected, strict=True):
+        assert cut.cells.tolist() == other.cells.tolist()
+        assert (cut.parent, cut.size) == (other.parent, other.size)
+        assert (cut.cost, cut.saved) == pytest.approx((other.cost, other.saved), rel=1e-9, abs=1e-15)
+    assert (sizes[0] == sizes[1]).all()
+
+
+def test_a_torus_is_split_where_it_is_one_and_where_it_no_longer_is():
+    network = SpreadNetwork(np.full((8, 24, 40), 0.5, np.float32), boundary="periodic")
+    found, expected = (way(network, Stakes(network)) for way in (cuts_of, twin.dissected))
+    assert [cut.cells.tolist() for cut in found] == [cut.cells.tolist() for cut in expected]
+    rings = [np.ptp(cells // 40) == 23 or np.ptp(cells % 40) == 39 for cells in compartments_of(network, found)]
+    assert 5 < sum(rings) < len(rings) - 5
 
 
 @LANDSCAPES

@@ -10,7 +10,10 @@ import numpy as np
 from firebreak_gis.kernels.draws import open_edges
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.placement.dissection import Cut, along
 from firebreak_gis.placement.fires import Fires
+from firebreak_gis.placement.patches import COARSE_FROM, Patches
+from firebreak_gis.stakes import Stakes
 
 
 def open_graph(network: SpreadNetwork, fires: Fires, run: int) -> nx.DiGraph:
@@ -120,3 +123,32 @@ def minimum_cut(network: SpreadNetwork, source: np.ndarray, sink: np.ndarray, co
         return float(nx.minimum_cut_value(graph, "source", "sink"))
     except nx.NetworkXUnbounded:
         return float("inf")
+
+
+def dissected(
+    network: SpreadNetwork,
+    stakes: Stakes,
+    *,
+    smallest: int = 16,
+    coarse_from: int = COARSE_FROM,
+    leaky: bool = False,
+    sizes: np.ndarray | None = None,
+) -> list[Cut]:
+    """Walls of `dissect`, each compartment split by itself, one level of the tree after another."""
+    shares = (0.2, 0.25, 0.3, 0.35, 0.4, 0.45)
+    patches = Patches.of(network, stakes, width=1, leaky=leaky, directions=8, shares=shares, coarse_from=coarse_from)
+    waiting = [(cells, -1) for cells in patches.connected(np.flatnonzero(network.burnable.ravel()))]
+    cuts: list[Cut] = []
+    while waiting:
+        children = []
+        for cells, parent in waiting:
+            split = patches.split(cells) if cells.size >= smallest else None
+            if split is not None:
+                wall = along(split.wall, network.shape)
+                if sizes is not None:
+                    sizes[cells] = cells.size
+                saved = patches.loss(cells) - sum(patches.loss(piece) for piece in split.pieces)
+                children += [(piece, len(cuts)) for piece in split.pieces]
+                cuts.append(Cut(wall, float(patches.cost[wall].sum()), saved, parent, cells.size))
+        waiting = children
+    return cuts

@@ -1,0 +1,28 @@
+"""Rows of whole numbers as single numbers, which are sorted many times as fast as rows."""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def keyed(*columns: np.ndarray) -> tuple[np.ndarray, tuple[int, ...]]:
+    """Number the rows of some columns so that numbers are sorted as the rows are.
+
+    Parameters
+    ----------
+    columns
+        (n,) each, whole numbers of at least 0.
+
+    Returns
+    -------
+    tuple
+        (n,) int64; and the sizes with which `numpy.unravel_index` gives the columns back.
+
+    Examples
+    --------
+    >>> key, sizes = keyed(np.array([1, 0, 1]), np.array([0, 2, 0]))
+    >>> [column.tolist() for column in np.unravel_index(np.unique(key), sizes)]
+    [[0, 1], [2, 0]]
+    """
+    sizes = tuple(int(column.max(initial=0)) + 1 for column in columns)
+    return np.ravel_multi_index(columns, sizes), sizes
