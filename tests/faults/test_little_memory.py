@@ -11,9 +11,8 @@ import rasterio
 
 from tests.benchmarks.landscapes import write_layers
 
-#: What is not enough memory for the network as a whole [bytes], and what the steps are given.
-TOO_LITTLE = 800_000_000
-LIMIT = TOO_LITTLE // 2
+#: What the steps are given [bytes]: half of what the network as a whole takes; and what is too little for that.
+LIMIT, TOO_LITTLE = 420_000_000, 800_000_000
 SIDE = 1415
 
 #: Runs a command with a limit to its memory, and with blocks of so many cells. What lies in files is not counted.
