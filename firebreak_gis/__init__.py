@@ -44,8 +44,9 @@ if TYPE_CHECKING:
     from firebreak_gis.report.mapbook.atlas import read_atlas
     from firebreak_gis.report.page.folder import report_page
     from firebreak_gis.report.plotting import plot
+    from firebreak_gis.simulation.budgets import burn_curve
     from firebreak_gis.simulation.embers import Embers
-    from firebreak_gis.simulation.fires import burn_curve, simulate
+    from firebreak_gis.simulation.fires import simulate
     from firebreak_gis.simulation.holding import Hold
     from firebreak_gis.simulation.ignitions import ignition_places
     from firebreak_gis.simulation.products import Products
@@ -62,7 +63,7 @@ _HOMES = {
     "assess": "evaluation.assessment",
     "break_polygons": "breaks",
     "Budget": "breaks",
-    "burn_curve": "simulation.fires",
+    "burn_curve": "simulation.budgets",
     "calibrate_scars": "evaluation.calibration",
     "calibrate_sizes": "evaluation.calibration",
     "Cancelled": "errors",

@@ -113,7 +113,7 @@ def bytes_for(
     away = blocks and cells > BLOCK_CELLS
     for name in (method or "").split(","):
         if name:
-            cell, thread = memory_of("ranking", name)
+            cell, thread = memory_of("ranking", name, large=cells > BLOCK_CELLS)
             work = Need(_COMPILED, _NETWORK - away * _PLANES + cell, thread)
             needed.append(work.bytes(cells, n_threads) + clock * (not away) * cells * _TIMES)
     return (

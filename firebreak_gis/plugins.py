@@ -124,12 +124,15 @@ def load(kind: str, name: str) -> ModuleType:
     return typing.cast(ModuleType, module)
 
 
-def memory_of(kind: str, name: str) -> tuple[int, int]:
+def memory_of(kind: str, name: str, *, large: bool = False) -> tuple[int, int]:
     """Bytes that a plug-in needs at its peak, beside its input: for each cell, and for each cell and thread.
 
-    A module tells them as `MEMORY`; the default is enough for a few arrays.
+    A module tells them as `MEMORY`, and as `LARGE_MEMORY` if large maps (more than `memory.BLOCK_CELLS`) need less; the
+    default is enough for a few arrays.
     """
-    cell, thread = getattr(load(kind, name), "MEMORY", _USUAL_MEMORY)
+    module = load(kind, name)
+    usual = getattr(module, "MEMORY", _USUAL_MEMORY)
+    cell, thread = getattr(module, "LARGE_MEMORY", usual) if large else usual
     return int(cell), int(thread)
 
 

@@ -64,6 +64,14 @@ def test_windows_and_blocks_do_not_grow_with_the_map():
     assert one == other < memory.bytes_for("network", 10**7, clock=True)
 
 
+def test_dissection_by_regions_needs_what_was_measured():
+    """`rank` of 3,162 x 3,162 cells of noise on two threads took 1.8 GB, pages of the network's file among them."""
+    large = memory.bytes_for("rank", 3162**2, method="dissection", blocks=True, threads=2)
+    assert 1 / 1.2 < large / 1.8e9 < 1.2
+    per_cell = [memory.bytes_for("rank", n, method="dissection", threads=2) / n for n in (memory.BLOCK_CELLS, 10**8)]
+    assert per_cell[1] < 0.7 * per_cell[0]
+
+
 def test_each_worker_has_its_own_copy():
     """A network with times of 2.25 million cells took 570 MB in each of two workers, one of 0.25 million 250 MB."""
     alone, two, four = (memory.bytes_for("burn", 2_250_000, clock=True, threads=1, workers=n) for n in (None, 2, 4))

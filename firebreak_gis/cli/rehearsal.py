@@ -14,6 +14,7 @@ from firebreak_gis import memory, plugins
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, OutputError
 from firebreak_gis.files.gate import stands
+from firebreak_gis.files.scratch import standing_folder
 from firebreak_gis.rasters import file_of, files_behind
 
 if TYPE_CHECKING:
@@ -188,13 +189,13 @@ def require_outputs(output: OutputRequest, table: Sequence[Output[Any]], inputs:
     if folder.is_dir():
         require_all(table, folder, how)
     else:  # the nearest folder that there is must take a new one
-        require_writable(_standing(folder) / f"{folder.name}.new", forbid=how.forbid)
+        require_writable(Path(standing_folder(folder)) / f"{folder.name}.new", forbid=how.forbid)
     return how
 
 
 def _require_disk(folder: Path, size: int, scratch: int, session: Session) -> int:
     """Bytes that are free where `folder` is or will be; outputs shrink, what is kept while the work lasts does not."""
-    free = shutil.disk_usage(_standing(folder)).free
+    free = shutil.disk_usage(standing_folder(folder)).free
     told = f"the disk of {folder} has {memory.size(free)} free"
     least, most = scratch + size / _COMPRESSION, scratch + size
     if free < least:
@@ -202,11 +203,3 @@ def _require_disk(folder: Path, size: int, scratch: int, session: Session) -> in
     if free < most:
         session.warn(f"{told}, the work takes up to {memory.size(most)}")
     return free
-
-
-def _standing(folder: Path) -> Path:
-    """Return the folder, or the nearest one above it that exists."""
-    place = folder.absolute()
-    while not place.is_dir() and place != place.parent:
-        place = place.parent
-    return place

@@ -10,8 +10,9 @@ import numpy as np
 from firebreak_gis.errors import InputError
 from firebreak_gis.grid import outlines
 from firebreak_gis.landscape.lines import LineBreaks
-from firebreak_gis.lattice import COL_STEP, ROW_STEP
-from firebreak_gis.placement.edges import passable
+from firebreak_gis.lattice import COL_STEP, OPPOSITE, ROW_STEP
+from firebreak_gis.network import neighbour
+from firebreak_gis.placement.edges import links
 from firebreak_gis.stakes import checked_amounts
 
 if TYPE_CHECKING:
@@ -121,7 +122,7 @@ class Compartments:
     ignition, value
         (rows, cols) float64 of each cell, 0 off fuel; the ignition adds up to 1.
     links
-        (2, m) cells between which fire can pass, row-major numbers, before cutting.
+        (2, m) cells between which fire can pass before cutting, row-major numbers, where one of the two is cut.
     """
 
     labels: np.ndarray
@@ -142,44 +143,33 @@ def split(
     ignition: Plane | None = None,
 ) -> Compartments:
     """Find the compartments, see `compartments`; `cut` is (rows, cols) bool, `crossed` that of `LineBreaks`."""
-    import scipy.sparse as sp
-    from scipy.sparse.csgraph import connected_components
+    from firebreak_gis.kernels.squares import UNNUMBERED, number_pieces
 
     worth = weights(network, value, "value")
     starts = weights(network, ignition, "ignition")
     starts = starts / max(starts.sum(), np.finfo(float).tiny)
-    links = _links(network)
-    kept = (network.burnable & ~cut).ravel()
-    inner = links[:, kept[links[0]] & kept[links[1]]]
+    ways = links(network)
+    beside_cut = _links_of(network, ways, cut)
     if crossed is not None:
-        inner = inner[:, ~_parted(inner, crossed)]
-    number = np.cumsum(kept, dtype=np.int32) - 1
-    n_kept = int(np.count_nonzero(kept))
-    graph = sp.coo_array((np.ones(inner.shape[1], np.int8), (number[inner[0]], number[inner[1]])), (n_kept, n_kept))
-    n_parts, part = connected_components(graph.tocsr(), directed=False)
+        _part(ways, crossed)
+    labels = np.where(network.burnable & ~cut, UNNUMBERED, np.int32(-1))
+    n_parts = number_pieces(labels, ways, np.array(ROW_STEP), np.array(COL_STEP))
+    kept = labels.ravel() >= 0
+    part = labels.ravel()[kept]
     cells = np.bincount(part, minlength=n_parts)
     masses = [np.bincount(part, weights=plane.ravel()[kept], minlength=n_parts) for plane in (starts, worth)]
-    _, first = np.unique(part, return_index=True)
-    order = np.lexsort((first, -cells, -masses[0] * masses[1]))
-    rank = np.empty(n_parts, np.int32)
+    order = np.lexsort((-cells, -masses[0] * masses[1]))  # equal ones by their first cells, as they are numbered
+    rank = np.zeros(n_parts + 1, np.int32)
     rank[order] = np.arange(1, n_parts + 1)
-    labels = np.zeros(kept.size, np.int32)
-    labels[kept] = rank[part]
-    return Compartments(
-        labels.reshape(network.shape), cells[order], masses[0][order], masses[1][order], starts, worth, links
-    )
+    return Compartments(rank[labels], cells[order], masses[0][order], masses[1][order], starts, worth, beside_cut)
 
 
-def _parted(links: np.ndarray, crossed: np.ndarray) -> np.ndarray:
-    """Which links, from a cell to one of the first four directions, a line crosses; (m,) bool."""
-    cols = crossed.shape[1]
-    row, col = np.divmod(links, cols)
-    steps = list(zip(ROW_STEP[:4], COL_STEP[:4], strict=True))
-    down, right = row[1] - row[0], col[1] - col[0]
-    out = np.zeros(links.shape[1], bool)
-    for d, step in enumerate(steps):
-        out |= (down == step[0]) & (right == step[1]) & ((crossed.ravel()[links[0]] >> d) & 1 > 0)
-    return out
+def _part(ways: np.ndarray, crossed: np.ndarray) -> None:
+    """Clear the links that a line crosses, from a cell to one of the first four directions, both ways."""
+    for d in range(4):
+        parted = (crossed >> d) & 1
+        ways &= ~(parted << d).astype(np.uint8)
+        ways &= ~(neighbour(parted, OPPOSITE[d]) << OPPOSITE[d]).astype(np.uint8)
 
 
 def weights(network: SpreadNetwork, data: Plane | None, name: str) -> np.ndarray:
@@ -189,12 +179,12 @@ def weights(network: SpreadNetwork, data: Plane | None, name: str) -> np.ndarray
     return checked_amounts(network, data, name)
 
 
-def _links(network: SpreadNetwork) -> np.ndarray:
-    """Pairs of cells between which fire can pass, each pair once, (2, m) int32."""
+def _links_of(network: SpreadNetwork, ways: np.ndarray, cut: np.ndarray) -> np.ndarray:
+    """Pairs of cells between which fire can pass and of which one is cut, each pair once, (2, m) int32."""
     rows, cols = network.shape
     found = []
     for d in range(4):
-        row, col = np.nonzero(passable(network, d))
+        row, col = np.nonzero(((ways >> d) & 1 > 0) & (cut | neighbour(cut, d, network.boundary)))
         target = (row + ROW_STEP[d]) % rows * cols + (col + COL_STEP[d]) % cols
         found.append(np.array([row * cols + col, target], dtype=np.int32))
     return np.concatenate(found, axis=1)

@@ -225,9 +225,11 @@ def _find_pieces(network: SpreadNetwork, parts: Compartments, borders: Borders, 
 def _touches(parts: Compartments, cut: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Cut cells and the compartments that fire could pass to or from, each pair once, sorted."""
     labels, wall = parts.labels.ravel(), cut.ravel()
-    one, other = np.concatenate([parts.links, parts.links[::-1]], axis=1).astype(np.int64)
-    meets = wall[one] & (labels[other] > 0)
-    key = np.unique(one[meets] * (parts.cells.size + 1) + labels[other[meets]])
+    found = []
+    for one, other in (parts.links, parts.links[::-1]):
+        meets = wall[one] & (labels[other] > 0)
+        found.append(one[meets].astype(np.int64) * (parts.cells.size + 1) + labels[other[meets]])
+    key = np.unique(np.concatenate(found))
     return np.divmod(key, parts.cells.size + 1)
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from firebreak_gis.construction.keys import keyed
-from firebreak_gis.kernels.joining import take_away
 
 
 def construction_order(
@@ -43,8 +42,10 @@ def construction_order(
 
     Notes
     -----
-    Cost: at most n steps over arrays of the borders that still stand.
+    Cost: n log n, and a look at all borders of two compartments when they become one.
     """
+    from firebreak_gis.kernels.contracting import taken_away
+
     mean = float(cost.mean()) if cost.size else 0.0
     least = 1e-9 * mean if mean > 0 else 1.0
     mass = np.array([np.append(0.0, compartment_ignition), np.append(0.0, compartment_value)])
@@ -54,13 +55,18 @@ def construction_order(
     last = loose[np.lexsort((loose, -score[loose], -saved / np.maximum(cost[loose], least)))]
     np.add.at(mass[0], side, ignition[loose])
     np.add.at(mass[1], side, value[loose])
-    one, other, sums, members = _borders(pair, cost, ignition, value, score)
-    turns, into = take_away(one, other, *sums, mass, least)
-    for k in turns.tolist():  # what is joined to a border is gone before it
-        if into[k] >= 0:
-            members[into[k]] += members[k]
-    removed = [sorted(members[k], key=lambda i: (-score[i], i)) for k in turns.tolist() if into[k] < 0]
-    return removed[::-1] + [[int(i)] for i in last]
+    sides, closing, border = _borders(pair, score)
+    sums = [np.bincount(border, weights=plane[closing], minlength=len(sides)) for plane in (cost, ignition, value)]
+    order, into = taken_away(sides[:, 0].copy(), sides[:, 1].copy(), *sums, *mass, least)
+    while (into[into] != into).any():
+        into = into[into]
+    # Segments border by border in the order in which they go, those of a border by their score.
+    turn = np.empty(len(sides), np.int64)
+    turn[order] = np.arange(order.size)
+    when = turn[into[border]]
+    by_turn = np.lexsort((closing, -score[closing], when))
+    removed = np.split(closing[by_turn], np.flatnonzero(np.diff(when[by_turn])) + 1) if closing.size else []
+    return [members.tolist() for members in removed[::-1]] + [[int(i)] for i in last]
 
 
 def _joined(one: np.ndarray, other: np.ndarray, own: np.ndarray) -> np.ndarray:
@@ -71,22 +77,25 @@ def _joined(one: np.ndarray, other: np.ndarray, own: np.ndarray) -> np.ndarray:
     return loss
 
 
-def _borders(
-    pair: np.ndarray, cost: np.ndarray, ignition: np.ndarray, value: np.ndarray, score: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, list[np.ndarray], list[list[int]]]:
-    """Borders in the order in which equal ones are taken away: compartments, sums of cost and so on, and segments."""
+def _borders(pair: np.ndarray, score: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """All segments between the same two compartments as one border.
+
+    Returns
+    -------
+    sides
+        (m, 2) compartments of each border, in the order in which equal ones are taken away.
+    closing
+        Segments that separate something.
+    border
+        The border of each of them.
+    """
     closing = np.flatnonzero(pair[:, 1] > 0)
     sides, group = np.unique(pair[closing], axis=0, return_inverse=True)
     group = group.ravel()
     best = np.full(len(sides), -np.inf)
     np.maximum.at(best, group, score[closing])
     order = np.lexsort((-np.arange(len(sides)), best))
-    rank = np.argsort(order)[group]
-    members: list[list[int]] = [[] for _ in sides]
-    for i, k in zip(closing.tolist(), rank.tolist(), strict=True):
-        members[k].append(i)
-    sums = [np.bincount(rank, weights=plane[closing], minlength=len(sides)) for plane in (cost, ignition, value)]
-    return sides[order, 0], sides[order, 1], sums, members
+    return sides[order].astype(np.int64), closing, np.argsort(order)[group]
 
 
 def gains(
@@ -110,7 +119,7 @@ def gains(
     labels
         (cells,) compartments from 1, 0 for none.
     links
-        (2, m) cells between which fire can pass.
+        (2, m) cells between which fire can pass; those between cells that are not cut are not needed.
     ignition, value
         (cells,) 0 off fuel.
 
@@ -119,6 +128,8 @@ def gains(
     numpy.ndarray
         (n,) at least 0, in the unit of ignition x value.
     """
+    from firebreak_gis.kernels.contracting import come_back
+
     n_parts = int(labels.max(initial=0))
     cut = np.flatnonzero(owner >= 0)
     node = labels.astype(np.int64) - 1
@@ -132,28 +143,11 @@ def gains(
     ways = np.array(np.unravel_index(np.unique(key), sizes))
     when = turn[ways].max(axis=0, initial=-1)
     order = np.argsort(when, kind="stable")
-    root = list(range(turn.size))
-    back = saved.tolist()
-    for a, b, t in zip(ways[0, order].tolist(), ways[1, order].tolist(), when[order].tolist(), strict=True):
-        a, b = _find(root, a), _find(root, b)
-        if a != b:
-            a, b = min(a, b), max(a, b)
-            back[t] += mass_i[a] * mass_v[b] + mass_i[b] * mass_v[a]
-            root[b] = a
-            mass_i[a] += mass_i[b]
-            mass_v[a] += mass_v[b]
-    found: np.ndarray = np.array(back, dtype=np.float64)[position.size - 1 - position]
+    come_back(ways[0, order], ways[1, order], when[order], mass_i, mass_v, saved)
+    found: np.ndarray = saved[position.size - 1 - position]
     return found
 
 
-def _node_mass(plane: np.ndarray, labels: np.ndarray, cut: np.ndarray, n_parts: int) -> list[float]:
+def _node_mass(plane: np.ndarray, labels: np.ndarray, cut: np.ndarray, n_parts: int) -> np.ndarray:
     whole = np.bincount(labels, weights=plane, minlength=n_parts + 1)[1:]
-    masses: list[float] = np.concatenate([whole, plane[cut]]).tolist()
-    return masses
-
-
-def _find(root: list[int], a: int) -> int:
-    while root[a] != a:
-        root[a] = root[root[a]]
-        a = root[a]
-    return a
+    return np.concatenate([whole, plane[cut]])

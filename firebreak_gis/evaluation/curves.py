@@ -12,10 +12,11 @@ import numpy as np
 from firebreak_gis.breaks import Amount, require_priority, shares_of
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
+from firebreak_gis.simulation.budgets import burn_budgets, burn_each
 from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import as_embers
-from firebreak_gis.simulation.fires import burn_budgets, burn_each, resolved
+from firebreak_gis.simulation.fires import resolved
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode

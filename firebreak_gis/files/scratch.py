@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 import tempfile
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -41,3 +42,11 @@ def on_disk(folder: str | os.PathLike[str], shape: tuple[int, ...], dtype: DType
         raise OutputError(
             f"cannot keep {math.prod(shape):,} numbers on the disk of {folder}: {reason(error)}"
         ) from error
+
+
+def standing_folder(folder: str | os.PathLike[str]) -> str:
+    """Return the folder, or the nearest one above it that exists."""
+    place = Path(folder).absolute()
+    while not place.is_dir() and place != place.parent:
+        place = place.parent
+    return str(place)

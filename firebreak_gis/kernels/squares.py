@@ -1,6 +1,6 @@
-"""A whole map parted into blocks: the connected pieces of its fuel within squares.
+"""Connected pieces of the fuel of a whole map, and of it within squares.
 
-As `coarse.blocks` does for a patch, but in a plane of the map and in place, so that it takes nothing beside it.
+As `coarse.blocks` does for a patch, but in a plane of the map and in place, so that it takes next to nothing beside it.
 """
 
 from __future__ import annotations
@@ -69,4 +69,37 @@ def number_blocks(
                                     queue[tail, 0], queue[tail, 1] = down, across
                                     tail += 1
                     count += 1
+    return count
+
+
+@kernel
+def number_pieces(label: np.ndarray, links: np.ndarray, row_step: np.ndarray, col_step: np.ndarray) -> int:
+    """Number the connected pieces of a map in the order of their first cells; parameters as in `number_blocks`.
+
+    Links may lead over the edge of a torus.
+    """
+    rows, cols = label.shape
+    waiting = 0
+    for row in range(rows):
+        for col in range(cols):
+            waiting += label[row, col] == UNNUMBERED
+    stack = np.empty(waiting, np.int64)
+    count = 0
+    for first in range(rows * cols):
+        if label[first // cols, first % cols] != UNNUMBERED:
+            continue
+        label[first // cols, first % cols] = count
+        stack[0] = first
+        top = 1
+        while top > 0:
+            top -= 1
+            r, c = stack[top] // cols, stack[top] % cols
+            for d in range(8):
+                if (links[r, c] >> d) & 1:
+                    down, across = (r + row_step[d]) % rows, (c + col_step[d]) % cols
+                    if label[down, across] == UNNUMBERED:
+                        label[down, across] = count
+                        stack[top] = down * cols + across
+                        top += 1
+        count += 1
     return count

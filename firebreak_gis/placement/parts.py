@@ -47,13 +47,13 @@ def parts_of(
     drawn = np.zeros(network.shape, bool)
     drawn.ravel()[np.concatenate([*lines, np.zeros(0, np.int64)]).astype(np.int64)] = True
     label, count = ndimage.label(network.burnable & ~drawn, structure=np.ones((3, 3)))
-    low, high = np.full(network.shape, count + 1), np.zeros(network.shape, np.int64)
+    low, high = np.full(network.shape, count + 1, label.dtype), np.zeros(network.shape, label.dtype)
     for d in range(len(ROW_STEP)):
         beside = neighbour(label, d, network.boundary)
-        low = np.where(beside > 0, np.minimum(low, beside), low)
-        high = np.maximum(high, beside)
+        np.minimum(low, beside, out=low, where=beside > 0)
+        np.maximum(high, beside, out=high)
     lowest, highest = low.ravel(), high.ravel()
-    block = np.zeros(lowest.size, np.int64) if stretch is None else stretch.ravel().astype(np.int64)
+    block = np.zeros(lowest.size, np.uint8) if stretch is None else stretch.ravel()
     taken = np.zeros(lowest.size, bool)
     pieces: list[np.ndarray] = []
     for line in lines:

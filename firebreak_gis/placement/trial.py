@@ -12,14 +12,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.progress import part, silent
+from firebreak_gis.simulation.ground_fires import MapInMemory, burn_on, by_windows
 from firebreak_gis.simulation.ignitions import Ignitions
-from firebreak_gis.simulation.products import Products
-from firebreak_gis.simulation.timed import Spaces, burn_timed, containment, made_ready
+from firebreak_gis.simulation.timed import Spaces, containment, made_ready
+from firebreak_gis.simulation.windows import passing_windows
 from firebreak_gis.stakes import beside
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Sequence
+
+    import xarray as xr
 
     from firebreak_gis.kernels.arrival import Workspace
     from firebreak_gis.landscape.lines import LineBreaks
@@ -70,14 +73,12 @@ class Trial:
 
     def runs(self, work: float, *, least: int = 40, most: int = 2000) -> int:
         """How many fires burn about `work` cells in all where nothing is cut."""
-        tally = burn_timed(**self._given(None, _PILOT, 0), value=None, products=Products(), **self._ways(silent))
-        return int(np.clip(work / max(float(tally.sizes.mean()), 1.0), least, most))
+        sizes = self._burnt(None, _PILOT, 0, silent)["fire_size"]
+        return int(np.clip(work / max(float(sizes.mean()), 1.0), least, most))
 
     def losses(self, cut: Breaks, *, n_runs: int, first_run: int = 0, progress: Progress = silent) -> np.ndarray:
         """Value that each fire takes, (n_runs,) float64; `cut` is (rows, cols) bool, or lines."""
-        given = self._given(cut, n_runs, first_run)
-        tally = burn_timed(**given, value=self.stakes.value.ravel(), products=Products(), **self._ways(progress))
-        return np.asarray(tally.lost)
+        return np.asarray(self._burnt(cut, n_runs, first_run, progress, value=self.stakes.value)["value_lost"])
 
     def passing(self, cut: Breaks, *, n_runs: int, first_run: int = 0, progress: Progress = silent) -> np.ndarray:
         """Value that each cell lets through, its own and that of all that was lit by way of it, in the mean.
@@ -89,6 +90,10 @@ class Trial:
         """
         from firebreak_gis.kernels.passing import let_through
 
+        if by_windows(self.ground, self.fires):
+            source = MapInMemory(self.ground.network, beside(cut, self.standing), self.ground.barriers)
+            about: dict[str, Any] = {"first_run": first_run, "threads": self.threads, "progress": progress}
+            return passing_windows(source, self._request(n_runs, first_run), value=self.stakes.value, **about)
         value = self.stakes.value.ravel()
 
         def passed(ready: Ready, space: Workspace, runs: np.ndarray, sums: np.ndarray) -> None:
@@ -181,17 +186,18 @@ class Trial:
             done += runs.size
         return np.asarray(total / n_runs)
 
-    def _ways(self, progress: Progress) -> dict[str, Any]:
-        return {"threads": self.threads, "progress": progress}
+    def _burnt(self, cut: Breaks, n_runs: int, first_run: int, progress: Progress, **more: Any) -> xr.Dataset:
+        about: dict[str, Any] = {"first_run": first_run, "threads": self.threads, "progress": progress}
+        fires = self._request(n_runs, first_run)
+        return burn_on(self.ground, fires, breaks=beside(cut, self.standing), **about, **more)
 
     def _given(self, cut: Breaks, n_runs: int, first_run: int) -> dict[str, Any]:
         """Arguments of `burn_timed` and `made_ready` that say what burns."""
-        from firebreak_gis.kernels.draws import seed_for
         from firebreak_gis.simulation.fires import limits_of
 
         ground = self.ground
-        request = replace(self.fires, n_runs=n_runs, seed=seed_for(self.seed, "design"), ignitions=None)
         start = self._start(n_runs, first_run)
+        request = replace(self._request(n_runs, first_run), ignitions=None)
         limits, _ = limits_of(request, None if ground.weather is None else ground.weather.weather, first_run)
         burnt: dict[str, Any] = {
             "breaks": beside(cut, self.standing),
@@ -202,6 +208,13 @@ class Trial:
             contained, _ = containment(ground.network, request, start, limits, threads=self.threads, **burnt)
             limits = np.minimum(limits, contained)
         return {"network": ground.network, "request": request, "start": start, "limits": limits, **burnt}
+
+    def _request(self, n_runs: int, first_run: int) -> FireRequest:
+        """The fires, with where they start."""
+        from firebreak_gis.kernels.draws import seed_for
+
+        start = self._start(n_runs, first_run)
+        return replace(self.fires, n_runs=n_runs, seed=seed_for(self.seed, "design"), ignitions=start)
 
     def _start(self, n_runs: int, first_run: int) -> Ignitions:
         """One cell a run: the n-th fire starts in the n-th of equal shares of the weights (systematic sampling)."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from firebreak_gis import memory, plugins
+from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.progress import silent
 from firebreak_gis.rasters.blocks import ROWS
@@ -22,6 +24,49 @@ if TYPE_CHECKING:
 
 #: Rates of spread are counted in steps of this [m/h], up to the largest of which the median is told.
 _STEP, _MOST = 0.05, 100_000.0
+
+
+def network_of(
+    landscape: xr.Dataset, *, model: str, folder: str | os.PathLike[str], cells: int | None = None, **params: Any
+) -> SpreadNetwork:
+    """The network of a landscape in memory; that of a large one is made by blocks, and its planes lie on the disk.
+
+    Parameters
+    ----------
+    landscape, model, params
+        As in `spread.spread_network`, to which the network is equal.
+    folder
+        On whose disk they lie, see `files.scratch`.
+    cells
+        Landscapes of more cells are large, and about so many are in a block; None: `memory.BLOCK_CELLS`.
+    """
+    from firebreak_gis.files.scratch import on_disk
+    from firebreak_gis.spread import spread_network
+    from firebreak_gis.spread.raster import network_of_planes
+
+    rows, cols = landscape["burnable"].shape
+    halo, together = plugins.halo_of(model), cells or memory.BLOCK_CELLS
+    if rows * cols <= together or halo is None or landscape.attrs.get("boundary", "open") != "open":
+        return spread_network(landscape, model=model, **params)
+    step = max(together // cols, 1)
+    planes: dict[str, np.ndarray] = {}
+    provenance: dict[str, Any] = {}
+    for start in range(0, rows, step):
+        stop = min(start + step, rows)
+        top, bottom = max(start - halo, 0), min(stop + halo, rows)
+        part = landscape.isel(y=slice(top, bottom))
+        given = {name: value[top:bottom] if np.ndim(value) == 2 else value for name, value in params.items()}
+        network = spread_network(part, model=model, **given)
+        made = {name: getattr(network, name) for name in ("probability", "burnable", "travel_time", "heat")}
+        for name, plane in made.items():
+            if plane is not None:
+                if name not in planes:
+                    planes[name] = on_disk(folder, (*plane.shape[:-2], rows, cols), plane.dtype)
+                planes[name][..., start:stop, :] = plane[..., start - top : stop - top, :]
+        provenance = network.provenance
+    burnable = np.array(planes.pop("burnable"))  # looked at often
+    grid = Grid.of(landscape["burnable"])
+    return network_of_planes(planes.pop("probability"), burnable, grid, provenance=provenance, **planes)
 
 
 class NetworkBlocks:

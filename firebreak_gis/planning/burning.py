@@ -14,8 +14,8 @@ from firebreak_gis.planning.budgets import default_budgets, few_budgets
 from firebreak_gis.planning.timing import fire_seconds, ranking_seconds
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.ranking import rank
-from firebreak_gis.simulation.fires import burn
 from firebreak_gis.simulation.ground import Ground
+from firebreak_gis.simulation.ground_fires import burn_on
 from firebreak_gis.stakes import beside
 
 if TYPE_CHECKING:
@@ -93,13 +93,11 @@ def fires_of(setting: Setting, judged: Judging) -> Callable[[Laid, np.ndarray | 
     ground = setting.ground
 
     def fires(breaks: Laid, value: np.ndarray | None, progress: Progress = silent) -> xr.Dataset:
-        return burn(
-            ground.network,
+        return burn_on(
+            ground,
             judged.fires,
             breaks=beside(breaks, setting.standing),
             value=value,
-            weather=ground.weather,
-            barriers=ground.barriers,
             threads=setting.threads,
             progress=progress,
         )

@@ -206,6 +206,8 @@ class Scene:
         The one wind in words; empty if it is not known, or there is an ensemble.
     landscape, spread, params
         What the network was made of, and the parameters of the spread model; None, none where it was read from a file.
+    scratch
+        Folder on whose disk networks of large landscapes lie; empty: that for temporary files.
     """
 
     network: SpreadNetwork
@@ -214,6 +216,7 @@ class Scene:
     landscape: xr.Dataset | None = None
     spread: SpreadRequest = field(default_factory=SpreadRequest)
     params: Mapping[str, Any] = field(default_factory=dict)
+    scratch: str = ""
 
     @classmethod
     def of(
@@ -222,6 +225,8 @@ class Scene:
         spread: SpreadRequest,
         weather: Weather | None = None,
         account: Account | None = None,
+        *,
+        scratch: str = "",
     ) -> Scene:
         """A landscape under one wind or an ensemble of weathers.
 
@@ -230,8 +235,8 @@ class Scene:
         """
         if weather is None:
             params = spread.params(landscape, account)
-            network = _still(landscape, spread, params)
-            return cls(network, None, wind_told(params), landscape, spread, params)
+            network = _still(landscape, spread, params, scratch)
+            return cls(network, None, wind_told(params), landscape, spread, params, scratch)
         params = spread.params_beside(landscape, weather)
         return cls(_mean_network(landscape, spread, params, weather), weather, "", landscape, spread, params)
 
@@ -260,7 +265,7 @@ class Scene:
         barriers
             (y, x), above 0 on existing barriers.
         """
-        from firebreak_gis.spread import spread_network, weather_networks
+        from firebreak_gis.spread import weather_networks
 
         fails = barriers is not None and judged.fires.barriers_hold < 1.0
         kept = barriers if fails else None
@@ -272,7 +277,7 @@ class Scene:
             networks = weather_networks(fuel, self.weather, model=self.spread.model, clock=clock, **self.params)
             return Ground(networks[0].network, networks, kept)
         if clock:
-            return Ground(spread_network(fuel, model=self.spread.model, **{**self.params, "clock": True}), None, kept)
+            return Ground(_made(fuel, self.spread, {**self.params, "clock": True}, self.scratch), None, kept)
         return Ground(self.network if fails else barred, None, kept)
 
     @property
@@ -288,11 +293,17 @@ def wind_told(params: Mapping[str, Any]) -> str:
     return f"wind {speed:g} m/s from {direction:g} degrees" if speed else "no wind"
 
 
-def _still(landscape: xr.Dataset, spread: SpreadRequest, params: Mapping[str, Any]) -> SpreadNetwork:
+def _still(landscape: xr.Dataset, spread: SpreadRequest, params: Mapping[str, Any], scratch: str = "") -> SpreadNetwork:
     """The network without a clock."""
-    from firebreak_gis.spread import spread_network
+    return _made(landscape, spread, {k: v for k, v in params.items() if k != "clock"}, scratch)
 
-    return spread_network(landscape, model=spread.model, **{k: v for k, v in params.items() if k != "clock"})
+
+def _made(landscape: xr.Dataset, spread: SpreadRequest, params: Mapping[str, Any], scratch: str) -> SpreadNetwork:
+    import tempfile
+
+    from firebreak_gis.planning.blocks import network_of
+
+    return network_of(landscape, model=spread.model, folder=scratch or tempfile.gettempdir(), **params)
 
 
 def _mean_network(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from firebreak_gis.files.scratch import standing_folder
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning.feasibility import feasibility, width_in_cells
@@ -134,7 +135,8 @@ def settle(landscape: xr.Dataset, request: PlanRequest, planes: StakePlanes, *, 
     """
     asked, fires = request.design, request.fires
     account = Account()
-    scene = Scene.of(landscape, request.spread, request.weather.read(), account)
+    scratch = "" if request.output is None else standing_folder(request.output.output)
+    scene = Scene.of(landscape, request.spread, request.weather.read(), account, scratch=scratch)
     landscape = account.added_to(landscape)
     sited = request.siting.on(planes, scene.network, landscape["elevation"].to_numpy())
     planes = sited.planes

@@ -8,27 +8,23 @@ open edges with and without breaks, and neither the number of threads nor the or
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import Amount, Budget, removal_order, require_priority, shares_of
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.schema import annotate
 from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import ENDLESS, as_duration
 from firebreak_gis.simulation.embers import as_embers
-from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.ignitions import IgnitionMode, Ignitions, resolve_ignitions
 from firebreak_gis.simulation.products import Products, product_maps
 from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.simulation.stations import as_travel
 from firebreak_gis.simulation.timed import burn_timed, containment
-from firebreak_gis.simulation.timeless import burn_all, burn_levels
+from firebreak_gis.simulation.timeless import burn_all
 from firebreak_gis.stakes import checked_amounts
 
 if TYPE_CHECKING:
@@ -262,145 +258,6 @@ def resolved(network: SpreadNetwork, request: FireRequest, *, first_run: int = 0
         outside=request.ignitions_outside,
         times=request.ignition_times,
     )
-
-
-def burn_curve(
-    network: SpreadNetwork,
-    priority: np.ndarray | xr.DataArray,
-    *,
-    budgets: Sequence[Amount] | np.ndarray,
-    ignitions: Any = None,
-    ignition_mode: IgnitionMode = "each",
-    n_runs: int = 100,
-    seed: int = 0,
-    threads: int | None = None,
-    progress: Progress | None = None,
-) -> xr.DataArray:
-    """Cells burnt at every budget of a ranking, all budgets in one pass a run.
-
-    Equal, run by run, to `simulate` with the breaks of each budget and the same seed.
-
-    Parameters
-    ----------
-    network
-        The spread network before cutting.
-    priority
-        (y, x), higher is cut earlier, -inf is never cut.
-    budgets
-        Shares d_f of the cells that hold fuel such as 0.05 or "5%", or areas such as "20ha"; rising.
-    ignitions, ignition_mode, n_runs, seed, threads, progress
-        As in `simulate`.
-
-    Returns
-    -------
-    xarray.DataArray
-        `cells_burnt` (run, budget) int64 with the coordinate `budget`.
-
-    Examples
-    --------
-    >>> import firebreak_gis as fb
-    >>> network = fb.spread_network(fb.forest((12, 20), seed=1), model="artificial")
-    >>> burnt = fb.burn_curve(network, fb.rank(network, "bonacich"), budgets=[0.0, 0.1, 0.3], n_runs=50)
-    >>> burnt.sizes["run"], burnt.sizes["budget"], bool((burnt[:, 0] >= burnt[:, 2]).all())
-    (50, 3, True)
-    """
-    request = FireRequest(ignitions, ignition_mode, n_runs, seed)
-    shares = shares_of(budgets, network)
-    return burn_budgets(network, priority, request, budgets=shares, threads=threads, progress=progress)
-
-
-def burn_budgets(
-    network: SpreadNetwork,
-    priority: np.ndarray | xr.DataArray,
-    request: FireRequest,
-    *,
-    budgets: Sequence[float] | np.ndarray,
-    ground: Ground | None = None,
-    threads: int | None = None,
-    progress: Progress | None = None,
-) -> xr.DataArray:
-    """Burn the network at every budget as a request says; all else as in `burn_curve`.
-
-    Without a clock, embers or failing breaks the breaks are perfect, and all budgets take one pass a run. With them
-    every budget is burnt by itself, by the same draws: a break that fire goes round may make it come too late, so that
-    the level of a cell on the best way to it does not tell whether it burns.
-
-    Parameters
-    ----------
-    ground
-        Where the fires burn, if that is not `network`, of whose fuel the budgets are shares.
-    """
-    ground = ground or Ground(network)
-    require_priority(priority)
-    start, n_runs = resolved(network, request), request.n_runs
-    levels = cut_levels(network, priority, budgets)
-    burnt = np.zeros((n_runs, len(budgets)), np.int64)
-    if request.timeless and ground.weather is None and ground.barriers is None:
-        burn_levels(ground.network, start, levels.ravel(), burnt, request, threads, progress)
-    else:
-        plans = [levels < k for k in range(len(budgets))]
-        burnt = burn_each(ground, replace(request, ignitions=start), plans, threads=threads, progress=progress)
-    return _curve(network, burnt, budgets, request.seed)
-
-
-def burn_each(
-    ground: Ground,
-    request: FireRequest,
-    plans: Sequence[np.ndarray | xr.DataArray | LineBreaks | None],
-    *,
-    threads: int | None = None,
-    progress: Progress | None = None,
-) -> np.ndarray:
-    """Cells burnt in every run under each of n plans by the same draws, (n_runs, n) int64; float64 with lines."""
-    burnt = [
-        burn(
-            ground.network,
-            request,
-            breaks=breaks,
-            weather=ground.weather,
-            barriers=ground.barriers,
-            threads=threads,
-            progress=part(progress, k / len(plans), (k + 1) / len(plans)),
-        )["fire_size"].to_numpy()
-        for k, breaks in enumerate(plans)
-    ]
-    return np.stack(burnt, axis=1)
-
-
-def _curve(network: SpreadNetwork, burnt: np.ndarray, budgets: Sequence[float] | np.ndarray, seed: int) -> xr.DataArray:
-    import xarray as xr
-
-    return xr.DataArray(
-        burnt,
-        dims=("run", "budget"),
-        coords={"budget": ("budget", np.asarray(budgets, dtype=np.float64), {"units": "1", "long_name": "d_f"})},
-        name="cells_burnt",
-        attrs={"n_burnable": network.n_burnable, "seed": seed},
-    )
-
-
-def cut_levels(
-    network: SpreadNetwork, priority: np.ndarray | xr.DataArray, budgets: Sequence[float] | np.ndarray
-) -> np.ndarray:
-    """Last budget at which each cell is still there.
-
-    Returns
-    -------
-    numpy.ndarray
-        (rows, cols) int32: index into `budgets`; -1 if the cell is cut at all of them.
-
-    Raises
-    ------
-    ParameterError
-        If the budgets do not rise or are not shares.
-    """
-    if len(budgets) == 0 or np.any(np.diff(budgets) < 0):
-        raise ParameterError("budgets must be a rising list of shares, for example 0.0, 0.05, 0.1")
-    cut = np.array([Budget(budget).cells(n_burnable=network.n_burnable) for budget in budgets])
-    position = removal_order(network.plane(priority, "priority"))
-    levels = np.searchsorted(cut, position, side="right") - 1
-    levels[position < 0] = len(cut) - 1
-    return levels.astype(np.int32)
 
 
 def burn_maps(

@@ -1,8 +1,8 @@
 """What is asked of the simulated fires: one typed value, the same for every command that burns.
 
 To add an option of the fires, such as how long they burn: add a field here, an option of that name to
-`cli.options.fires`, and read it in `simulation.fires.burn` (and `burn_budgets`). The commands hand the whole request
-on, so none of them needs to know.
+`cli.options.fires`, and read it in `simulation.fires.burn` (and `budgets.burn_budgets`). The commands hand the whole
+request on, so none of them needs to know.
 """
 
 from __future__ import annotations

@@ -168,7 +168,7 @@ def burn_levels(
 ) -> None:
     """Set `burnt`, (run, budget) int64, to the cells burnt at each cut level, by one pass a run.
 
-    `levels` (n_cells,) int32 are those of `fires.cut_levels`; all else as in `burn_all`.
+    `levels` (n_cells,) int32 are those of `budgets.cut_levels`; all else as in `burn_all`.
     """
     if in_use() is None:
         _burn_levels_here(network, start, levels, burnt, request, threads, progress)

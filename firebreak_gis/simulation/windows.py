@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
@@ -25,6 +25,7 @@ from firebreak_gis.simulation.engine import in_use, ranges, spread, using
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.products import Products
 from firebreak_gis.simulation.window import Window, tiles
+from firebreak_gis.stakes import checked_amounts
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
@@ -63,57 +64,6 @@ class MapSource(Protocol):
         """What fires burn on in a window, and the breaks there: (rows, cols) above 0, or lines."""
 
 
-@dataclass(frozen=True, eq=False)
-class MapInMemory:
-    """A network and its breaks in memory, read by windows.
-
-    Parameters
-    ----------
-    network
-        Before cutting, with an open boundary.
-    breaks, barriers
-        (y, x), above 0 where the fuel is cut, or lines; and on barriers which may fail; or None.
-    """
-
-    network: SpreadNetwork
-    breaks: Plane | LineBreaks | None = None
-    barriers: Plane | None = None
-
-    @property
-    def grid(self) -> Grid:
-        """Of the whole map."""
-        return self.network.grid
-
-    @property
-    def burnable(self) -> np.ndarray:
-        """(rows, cols) bool."""
-        return self.network.burnable
-
-    @property
-    def weather(self) -> Weather | None:
-        """None: a network is made for one wind."""
-        return None
-
-    def read(self, window: Window) -> tuple[Ground, np.ndarray | LineBreaks | None]:
-        """What fires burn on in a window, and the breaks there."""
-        rows, cols = window.slices
-        whole = self.network
-        if whole.boundary != "open":
-            raise ParameterError("a map that is a torus has no windows; burn it as a whole")
-        part = SpreadNetwork(
-            whole.probability[:, rows, cols],
-            burnable=whole.burnable[rows, cols],
-            crs=whole.grid.crs,
-            transform=window.grid(whole.grid).transform,
-            provenance=whole.provenance,
-            travel_time=None if whole.travel_time is None else whole.travel_time[:, rows, cols],
-            heat=None if whole.heat is None else whole.heat[rows, cols],
-        )
-        barriers = None if self.barriers is None else whole.mask(self.barriers, "barriers")[rows, cols]
-        breaks = self.breaks if isinstance(self.breaks, LineBreaks | None) else whole.mask(self.breaks, "breaks")
-        return Ground(part, None, barriers), breaks_in(window, breaks, whole.grid)
-
-
 def breaks_in(window: Window, breaks: np.ndarray | LineBreaks | None, grid: Grid) -> np.ndarray | LineBreaks | None:
     """Breaks on the grid of a map, in a window of it."""
     if breaks is None:
@@ -148,7 +98,9 @@ def burn_windows(
     source: MapSource,
     request: FireRequest,
     *,
-    side: int = SIDE,
+    side: int | None = None,
+    value: Plane | None = None,
+    first_run: int = 0,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
@@ -161,8 +113,10 @@ def burn_windows(
     request
         The fires; they must have an end, or every one may need the whole map.
     side
-        Of the windows in which fires burn first [cells], a power of two.
-    threads, progress
+        Of the windows in which fires burn first [cells], a power of two; None: `SIDE`.
+    value
+        (rows, cols) value lost where a cell burns, or None.
+    first_run, threads, progress
         As in `fires.simulate`.
 
     Returns
@@ -181,6 +135,7 @@ def burn_windows(
     >>> import numpy as np, firebreak_gis as fb
     >>> from firebreak_gis.simulation.request import FireRequest
     >>> from firebreak_gis.simulation.durations import Duration
+    >>> from firebreak_gis.simulation.ground_fires import MapInMemory
     >>> network = fb.SpreadNetwork(np.full((8, 90, 80), 0.8), travel_time=np.full((8, 90, 80), 600.0))
     >>> request = FireRequest(n_runs=5, duration=Duration("fixed", (3600.0,)))
     >>> burns = burn_windows(MapInMemory(network), request, side=16)
@@ -189,13 +144,35 @@ def burn_windows(
     """
     from firebreak_gis.simulation.fires import resolved
 
+    side = side or SIDE
     _require_windows(request, side)
     fuel = fuel_map(source)
-    work = _Work(source, request, resolved(fuel, request), progress or silent)
-    batches = work.windows(side)
-    while batches:
-        batches = work.burn(batches, threads)
-    return work.burns(fuel)
+    worth = None if value is None else checked_amounts(fuel, value, "value")
+    start = resolved(fuel, request, first_run=first_run)
+    return _Work(source, request, start, progress or silent, worth).all(side, threads).burns(fuel)
+
+
+def passing_windows(
+    source: MapSource,
+    request: FireRequest,
+    *,
+    value: np.ndarray,
+    side: int | None = None,
+    first_run: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> np.ndarray:
+    """Value that each cell lets through, (rows, cols) float64 in the mean of the fires; see `passing`.
+
+    Parameters and errors as in `burn_windows`.
+    """
+    from firebreak_gis.simulation.fires import resolved
+
+    side = side or SIDE
+    _require_windows(request, side)
+    start = resolved(fuel_map(source), request, first_run=first_run)
+    work = _Work(source, request, start, progress or silent, value, passing=True)
+    return work.all(side, threads).passed()
 
 
 def window_work(
@@ -244,8 +221,9 @@ def window_part(batches: Sequence[_Batch], **work: Any) -> dict[str, np.ndarray]
     Returns
     -------
     dict
-        `cells` of the map that burn and `counts`, how often; `runs` that are through, with `sizes` and `contained`;
-        and those that need a `larger` window, with the number of the batch that each is `of`.
+        `cells` of the map that burn and `counts`, how often, or what they let through; `runs` that are through, with
+        `sizes`, `lost` and `contained`; and those that need a `larger` window, with the number of the batch that each
+        is `of`.
     """
     made = [_burn_window(batch, **work) for batch in batches]
     for k, each in enumerate(made):
@@ -260,10 +238,13 @@ def _burn_window(
     request: FireRequest,
     start: Ignitions,
     limits: np.ndarray,
+    value: np.ndarray | None,
+    passing: bool,
     threads: int | None,
     progress: Progress,
 ) -> dict[str, np.ndarray]:
     """Burn runs in a window; returns what `window_part` does."""
+    from firebreak_gis.simulation.passing import let_through
     from firebreak_gis.simulation.timed import burn_timed, containment
 
     runs, side = batch
@@ -286,14 +267,20 @@ def _burn_window(
         contained, far = containment(ground.network, request, start, limits, chosen=runs, **fires)
         left = runs[~far[runs]]
     ends = np.minimum(limits, contained)
-    tally = burn_timed(ground.network, request, start, ends, value=None, products=Products(), chosen=left, **fires)
+    worth = None if value is None else value[window.slices].ravel()
+    tally = burn_timed(ground.network, request, start, ends, value=worth, products=Products(), chosen=left, **fires)
     left = left[~tally.reached[left]]
-    burnt = np.flatnonzero(tally.counts)
+    counts: np.ndarray = tally.counts
+    if passing and worth is not None:
+        given = {name: fires[name] for name in ("breaks", "barriers", "weather", "window")}
+        counts = let_through(ground.network, request, start, ends, value=worth, chosen=left, **given)
+    burnt = np.flatnonzero(counts)
     return {
         "cells": window.on_map(burnt),
-        "counts": tally.counts[burnt],
+        "counts": counts[burnt],
         "runs": left,
         "sizes": tally.sizes[left],
+        "lost": np.zeros(left.size) if worth is None else tally.lost[left],
         "contained": contained[left],
         "larger": np.setdiff1d(runs, left),
     }
@@ -313,9 +300,21 @@ def _window(map_shape: tuple[int, int], start: Ignitions, runs: np.ndarray, side
 
 
 class _Work:
-    """What the fires have come to so far; whole numbers, so that the order of the windows makes no difference."""
+    """What the fires have come to so far; whole numbers, so that the order of the windows makes no difference.
 
-    def __init__(self, source: MapSource, request: FireRequest, start: Ignitions, progress: Progress) -> None:
+    What cells let through is kept window by window, and added up in their order.
+    """
+
+    def __init__(
+        self,
+        source: MapSource,
+        request: FireRequest,
+        start: Ignitions,
+        progress: Progress,
+        value: np.ndarray | None = None,
+        *,
+        passing: bool = False,
+    ) -> None:
         from firebreak_gis.simulation.fires import limits_of
 
         self.start = start
@@ -326,9 +325,13 @@ class _Work:
             "request": request.settled(source.grid),
             "start": start,
             "limits": self._limits,
+            "value": value,
+            "passing": passing,
         }
+        self._lost = None if value is None else np.zeros(request.n_runs)
+        self._passed: list[tuple[np.ndarray, np.ndarray]] = []
         self._contained = np.full(request.n_runs, ENDLESS)
-        self._counts = np.zeros(source.grid.shape[0] * source.grid.shape[1], np.uint32)
+        self._counts = np.zeros(0 if passing else source.grid.shape[0] * source.grid.shape[1], np.uint32)
         self._sizes = np.zeros(request.n_runs, np.int64)
         self._done = 0
         self._lock = threading.Lock()
@@ -338,6 +341,13 @@ class _Work:
         start = self.start
         return [(runs, side) for runs in tiles(start.cells, start.starts, self._source.grid.shape, side // 2)]
 
+    def all(self, side: int, threads: int | None) -> _Work:
+        """Burn all runs, those that need it in larger windows."""
+        batches = self.windows(side)
+        while batches:
+            batches = self.burn(batches, threads)
+        return self
+
     def burn(self, batches: list[_Batch], threads: int | None) -> list[_Batch]:
         """Burn runs in windows of about the side of each batch; return those that need a larger one, with it."""
         alone = in_use() is None
@@ -345,11 +355,17 @@ class _Work:
             [batches[first:last] for first, last in ranges(len(batches), 1)] if not alone else [[b] for b in batches]
         )
         again: dict[int, list[_Batch]] = {}
+        passed: dict[int, tuple[np.ndarray, np.ndarray]] = {}
 
         def take(i: int, part: Mapping[str, np.ndarray]) -> None:
             with self._lock:
                 # A cell may burn in several windows of a part.
-                np.add.at(self._counts, part["cells"], part["counts"])
+                if self._shared["passing"]:
+                    passed[i] = part["cells"], part["counts"]
+                else:
+                    np.add.at(self._counts, part["cells"], part["counts"])
+                if self._lost is not None:
+                    self._lost[part["runs"]] = part["lost"]
                 self._sizes = self._sizes.astype(part["sizes"].dtype, copy=False)  # parts of cells with lines
                 self._sizes[part["runs"]] = part["sizes"]
                 self._contained[part["runs"]] = part["contained"]
@@ -369,11 +385,20 @@ class _Work:
             )
         else:
             spread(window_part, pieces, self._shared, take=take, threads=threads, progress=report)
+        self._passed += [passed[i] for i in sorted(passed)]
         return [batch for i in sorted(again) for batch in again[i]]
+
+    def passed(self) -> np.ndarray:
+        """Value that each cell lets through in the mean of the fires, (rows, cols) float64."""
+        out = np.zeros(self._source.grid.shape)
+        for cells, values in self._passed:
+            np.add.at(out.ravel(), cells, values)
+        return out / self._request.n_runs
 
     def burns(self, fuel: SpreadNetwork) -> xr.Dataset:
         """The result as `fires.burn` returns it."""
         from firebreak_gis.simulation.fires import burn_maps, told_of_runs
 
-        burns = burn_maps(fuel, self._counts.reshape(fuel.shape), self._sizes, seed=self._request.seed)
+        counts = self._counts.reshape(fuel.shape)
+        burns = burn_maps(fuel, counts, self._sizes, seed=self._request.seed, lost=self._lost)
         return burns.assign(told_of_runs(self._request, self._limits, self._contained, self._spells))

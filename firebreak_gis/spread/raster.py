@@ -70,6 +70,32 @@ def read_network(path: str | Path) -> SpreadNetwork:
     return NetworkFile(path).read()
 
 
+def network_of_planes(
+    probability: np.ndarray,
+    burnable: np.ndarray,
+    grid: Grid,
+    *,
+    provenance: dict[str, Any] | None = None,
+    travel_time: np.ndarray | None = None,
+    heat: np.ndarray | None = None,
+) -> SpreadNetwork:
+    """An open network of planes that were taken from networks, block by block: not looked at again, and not copied.
+
+    Parameters
+    ----------
+    probability, burnable, grid, provenance, travel_time, heat
+        As `SpreadNetwork` keeps them; the planes become read-only.
+    """
+    network = object.__new__(SpreadNetwork)
+    planes = {"probability": probability, "burnable": burnable, "travel_time": travel_time, "heat": heat}
+    for plane in planes.values():
+        if plane is not None:
+            plane.flags.writeable = False
+    for name, value in {**planes, "boundary": "open", "grid": grid, "provenance": provenance or {}}.items():
+        object.__setattr__(network, name, value)
+    return network
+
+
 class NetworkFile:
     """A network in a raster, read as a whole or by windows; see `read_network`.
 
@@ -141,14 +167,7 @@ class NetworkFile:
             part = self._network(files, (top, 0, min(stop + 1, rows) - top, cols))
             own = slice(row - top, stop - top)
             probability[:, row:stop], burnable[row:stop] = part.probability[:, own], part.burnable[own]
-        for array in (probability, burnable):
-            array.flags.writeable = False
-        # The blocks were looked at; the constructor would copy them into memory.
-        network = object.__new__(SpreadNetwork)
-        planes = {"probability": probability, "burnable": burnable, "boundary": "open", "grid": self.grid}
-        for name, value in {**planes, "provenance": {}, "travel_time": None, "heat": None}.items():
-            object.__setattr__(network, name, value)
-        return network
+        return network_of_planes(probability, burnable, self.grid)
 
     def fuel(self, window: Window) -> np.ndarray:
         """Read which cells of a window hold fuel, (rows, cols) bool.

@@ -235,7 +235,7 @@ def _against_peers(network: SpreadNetwork, starts: np.ndarray, name: str) -> Ite
 
 
 def _curves(network: SpreadNetwork) -> Iterator[Comparison]:
-    from firebreak_gis.simulation.fires import cut_levels
+    from firebreak_gis.simulation.budgets import cut_levels
 
     kernels = Kernels(network)
     asked = kernels.n_cells >= ASKED

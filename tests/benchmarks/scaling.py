@@ -12,7 +12,7 @@ import numpy as np
 from firebreak_gis import SpreadNetwork, rank, select_breaks
 from firebreak_gis.kernels.centrality import betweenness, sampled_betweenness
 from firebreak_gis.kernels.linear import Operator
-from firebreak_gis.simulation.fires import cut_levels
+from firebreak_gis.simulation.budgets import cut_levels
 from tests.benchmarks.fires import LEVELS, RUNS, Kernels
 from tests.benchmarks.landscapes import fractal
 from tests.benchmarks.measuring import seconds, threads

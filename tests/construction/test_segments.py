@@ -353,9 +353,9 @@ def test_borders_are_those_of_the_twin(seed):
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_order_is_that_of_the_twin(seed):
+@pytest.mark.parametrize(("n_parts", "n"), [(12, 30), (2, 3), (40, 55)])
+def test_order_is_that_of_the_twin(seed, n_parts, n):
     rng = np.random.default_rng(seed)
-    n_parts, n = 12, 30
     pair = np.sort([rng.choice(n_parts, 2, replace=False) + 1 for _ in range(n)], axis=1)
     cost, own, mass = rng.random(n), rng.random((2, n)) / 50, rng.random((2, n_parts))
     stages = construction_order(

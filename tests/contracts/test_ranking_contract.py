@@ -12,7 +12,7 @@ from firebreak_gis.errors import Cancelled, ParameterError
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.progress import silent
 from firebreak_gis.ranking import rank
-from firebreak_gis.simulation.fires import burn_curve
+from firebreak_gis.simulation.budgets import burn_curve
 from firebreak_gis.stakes import Stakes
 from tests.twins import centrality as twin
 

@@ -14,7 +14,7 @@ from firebreak_gis.kernels import draws
 from firebreak_gis.kernels.walls import GROUND
 from firebreak_gis.landscape.lines import line_breaks
 from firebreak_gis.lattice import NEVER
-from firebreak_gis.simulation.fires import burn_each
+from firebreak_gis.simulation.budgets import burn_each
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import Hold
 from firebreak_gis.simulation.products import Products

@@ -19,6 +19,7 @@ from firebreak_gis.placement.trial import Trial
 from firebreak_gis.placement.widening import walls
 from firebreak_gis.progress import silent
 from firebreak_gis.ranking import rank
+from firebreak_gis.simulation import ground_fires, windows
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import Embers, what_flies
 from firebreak_gis.simulation.fires import burn
@@ -48,6 +49,28 @@ def network_of(seed, shape=(14, 19), low=0.1, high=0.7, **more):
 def trial_of(network, seed=0, *, stakes=None, **fires):
     given = {"duration": as_duration("1h"), **fires}
     return Trial(Ground(network), FireRequest(**given), stakes or Stakes(network), seed)
+
+
+@pytest.mark.parametrize("residual", [0.0, 0.4])
+def test_a_large_map_is_tried_by_windows(residual, monkeypatch):
+    network = network_of(1, (90, 110))
+    random = np.random.default_rng(2)
+    stakes = Stakes(network, value=random.random(network.shape), ignition=random.random(network.shape))
+    trial = trial_of(network, 3, stakes=stakes, residual=residual, hold=Hold(0.5))
+    cut = random.random(network.shape) < 0.1
+    about = {"n_runs": 30, "first_run": 60}
+
+    def tried():
+        return trial.runs(1e5), trial.losses(cut, **about), trial.passing(cut, **about)
+
+    whole = tried()
+    monkeypatch.setattr(windows, "SIDE", 16)
+    monkeypatch.setattr(ground_fires, "WINDOWS_FROM", 100)
+    parts = tried()
+    assert parts[0] == whole[0]
+    np.testing.assert_array_equal(parts[1], whole[1])
+    np.testing.assert_allclose(parts[2], whole[2], rtol=1e-12)
+    assert parts[2].sum() > parts[1].mean() > 0
 
 
 @pytest.mark.parametrize("residual", [0.0, 0.4])

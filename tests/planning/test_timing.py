@@ -205,7 +205,8 @@ def test_compartments_are_told_by_a_piece_with_several(monkeypatch):
 def test_a_little_of_the_windows_is_what_windows_do():
     """The means to burn a little burns the same fires, and leaves the real burns as they are."""
     from firebreak_gis.simulation.durations import Duration
-    from firebreak_gis.simulation.windows import MapInMemory, burn_windows, window_work
+    from firebreak_gis.simulation.ground_fires import MapInMemory
+    from firebreak_gis.simulation.windows import burn_windows, window_work
 
     network = fb.SpreadNetwork(np.full((8, 90, 80), 0.6), travel_time=np.full((8, 90, 80), 600.0))
     source = MapInMemory(network)

@@ -172,6 +172,18 @@ def test_a_plan_becomes_a_page():
     assert page.segments[1].shown("Length [m]") == "\N{EN DASH}"
 
 
+def test_a_page_shows_the_first_of_very_many_segments(monkeypatch):
+    from firebreak_gis.report.page import plan
+
+    monkeypatch.setattr(plan, "MOST", 1)
+    page = plan_page(small_parts(), {"parameters": {}, "warnings": ["It is dry."]})
+    assert [row.cells["Segment"] for row in page.segments] == [1]
+    assert len(page.outlines[-1].features) == 1
+    assert page.warnings == ("It is dry.", "this page shows the first 1 of 2 segments; segments.gpkg holds all")
+    monkeypatch.setattr(plan, "MOST", 2)
+    assert len(plan_page(small_parts(), {"parameters": {}}).segments) == 2
+
+
 def test_a_page_of_a_comparison_sorts_numbers_as_numbers():
     table = pd.DataFrame({"method": ["b", "a"], "d_f": [0.1, 0.1], "residual": [0.0, 0.0], "R": [0.5, np.nan]})
     page = comparison_page(table, {})

@@ -16,9 +16,9 @@ from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.kernels.draws import PURPOSES
 from firebreak_gis.lattice import NEVER
 from firebreak_gis.rasters import write_raster
+from firebreak_gis.simulation.budgets import burn_budgets
 from firebreak_gis.simulation.containment import Containment, as_containment
 from firebreak_gis.simulation.durations import as_duration
-from firebreak_gis.simulation.fires import burn_budgets
 from firebreak_gis.simulation.holding import strongest
 from firebreak_gis.simulation.products import Products
 from firebreak_gis.simulation.request import FireRequest

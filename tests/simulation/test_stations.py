@@ -21,10 +21,11 @@ from firebreak_gis.kernels import draws
 from firebreak_gis.lattice import NEVER
 from firebreak_gis.rasters import write_raster
 from firebreak_gis.simulation.embers import what_flies
+from firebreak_gis.simulation.ground_fires import MapInMemory
 from firebreak_gis.simulation.holding import Hold, stretches
 from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.simulation.stations import Stations, Travel, as_travel, travel_hours
-from firebreak_gis.simulation.windows import MapInMemory, burn_windows
+from firebreak_gis.simulation.windows import burn_windows
 from tests.simulation.test_timed import EACH, WINDY, at, ensemble, network_of
 from tests.twins.arrival import Fire
 from tests.twins.percolation import word

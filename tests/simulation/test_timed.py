@@ -14,9 +14,9 @@ from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.kernels import draws
 from firebreak_gis.lattice import NEVER, OPPOSITE
 from firebreak_gis.network import neighbour
+from firebreak_gis.simulation.budgets import burn_budgets
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import Embers, what_flies
-from firebreak_gis.simulation.fires import burn_budgets
 from firebreak_gis.simulation.holding import Hold, breach, chances, strongest, widths
 from firebreak_gis.simulation.products import Products
 from firebreak_gis.simulation.request import FireRequest

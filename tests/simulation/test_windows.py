@@ -13,10 +13,11 @@ from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.fires import burn
+from firebreak_gis.simulation.ground_fires import MapInMemory
 from firebreak_gis.simulation.holding import as_hold, stretches
 from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.simulation.window import Window, tiles
-from firebreak_gis.simulation.windows import MapInMemory, burn_windows
+from firebreak_gis.simulation.windows import burn_windows
 
 
 def landscape(shape=(150, 171), seed=3):
@@ -59,6 +60,17 @@ FIRES = {
         "ignition_mode": "all",
     },
 }
+
+
+@pytest.mark.parametrize("fires", ["drawn", "leaky", "embers", "attacked"])
+def test_windows_lose_the_same_value(fires):
+    network, breaks = landscape()
+    value = np.random.default_rng(1).random(network.shape)
+    request = FireRequest(n_runs=40, seed=5, **FIRES[fires])
+    whole = burn(network, request, breaks=breaks, value=value, first_run=7)
+    parts = burn_windows(MapInMemory(network, breaks), request, side=16, value=value, first_run=7, threads=2)
+    assert whole["value_lost"].mean() > 10
+    assert whole.identical(parts)
 
 
 @pytest.mark.parametrize("fires", FIRES)

@@ -20,12 +20,13 @@ from firebreak_gis.files.parts import Parts
 from firebreak_gis.placement.trial import Trial
 from firebreak_gis.simulation import engine
 from firebreak_gis.simulation import workers as clusters
+from firebreak_gis.simulation.budgets import burn_curve
 from firebreak_gis.simulation.durations import as_duration
-from firebreak_gis.simulation.fires import burn_curve
 from firebreak_gis.simulation.ground import Ground
+from firebreak_gis.simulation.ground_fires import MapInMemory
 from firebreak_gis.simulation.products import Products
 from firebreak_gis.simulation.request import FireRequest
-from firebreak_gis.simulation.windows import MapInMemory, burn_windows
+from firebreak_gis.simulation.windows import burn_windows
 
 SHAPE = (40, 51)
 

@@ -11,7 +11,7 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.curves import better_range, summarise
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.ranking import rank
-from firebreak_gis.simulation.fires import burn_curve
+from firebreak_gis.simulation.budgets import burn_curve
 from firebreak_gis.spread import spread_network
 from firebreak_gis.spread.artificial import forest
 

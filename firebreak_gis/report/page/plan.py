@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 _STAGE_COLOURS = ("#7a0177", "#c51b8a", "#f768a1", "#2c7fb8", "#1f4fd8")
 
 
+#: Segments, and compartments, that a page shows at most.
+MOST = 4000
+
+
 def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
     """Return the page of a plan.
 
@@ -42,12 +46,13 @@ def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
     size = (grid.shape[1] * grid.cell_size, grid.shape[0] * grid.cell_size)
     origin = (float(transform.c), float(transform.f) - size[1])
     summary = account.get("summary", {})
+    parts, left_out = _first(parts)
     drawn = _outlines(parts, origin)
     return Page(
         title=plan_title(account),
         headline=tuple(account.get("headline") or _headline(summary)),
         assumptions=tuple(account.get("assumptions", ())),
-        warnings=tuple(account.get("warnings", ())),
+        warnings=(*account.get("warnings", ()), *left_out),
         figures=_figures(summary),
         size=size,
         origin=(*origin, "" if grid.crs is None else crs_name(grid.crs)),
@@ -60,6 +65,20 @@ def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
         files=tuple((name, label) for name, label in account.get("files", ()) if name != "report.html"),
         provenance=_provenance(account),
     )
+
+
+def _first(parts: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
+    """What a browser can show of very many segments and compartments, and sentences on what is left out."""
+    shown, told = dict(parts), []
+    for file, what, number in (
+        ("segments.gpkg", "segments", "order"),
+        ("compartments.gpkg", "compartments", "compartment"),
+    ):
+        frame = parts.get(file)
+        if frame is not None and len(frame) > MOST:
+            shown[file] = frame[frame[number].rank(method="first") <= MOST]
+            told.append(f"this page shows the first {MOST:,} of {len(frame):,} {what}; {file} holds all")
+    return shown, told
 
 
 def comparison_page(table: pd.DataFrame, account: Mapping[str, Any]) -> Page:
