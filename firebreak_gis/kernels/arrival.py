@@ -21,7 +21,7 @@ from firebreak_gis.kernels.percolation import Steps, number
 from firebreak_gis.kernels.policy import kernel
 from firebreak_gis.kernels.prefetch import prefetch
 from firebreak_gis.kernels.tally import Tally, add_run
-from firebreak_gis.kernels.walls import GROUND, Walls, falls_on, held_back, kept, manned, spared, stands
+from firebreak_gis.kernels.walls import GROUND, Cleared, Walls, falls_on, held_back, kept, manned, spared, stands
 
 #: Arrival at a cell that the fire has not reached.
 UNSEEN = np.uint64(0xFFFFFFFFFFFFFFFF)
@@ -137,6 +137,7 @@ def burn_timed(
     clock: Clock,
     starts: Starts,
     walls: Walls,
+    cleared: Cleared,
     embers: Embers,
     space: Workspace,
     runs: np.ndarray,
@@ -151,8 +152,8 @@ def burn_timed(
         As in `kernels.percolation`, of the network without breaks.
     clock, starts
         See there.
-    walls
-        Breaks, and how they hold; without any, empty arrays.
+    walls, cleared
+        Breaks, and how they hold, and ground that lines clear; without any, empty arrays.
     embers
         What flies ahead of the fire; without any, empty arrays.
     space
@@ -166,8 +167,8 @@ def burn_timed(
     """
     for k in range(runs.size):
         run = runs[k]
-        size = burn_run(thresholds, keys[run], steps, clock, starts, walls, embers, space, run)
-        add_run(tally, run, space.order, size, space.arrival, space.parent, steps, strongest, walls)
+        size = burn_run(thresholds, keys[run], steps, clock, starts, walls, cleared, embers, space, run)
+        add_run(tally, run, space.order, size, space.arrival, space.parent, steps, strongest, walls, cleared)
         for i in range(size):
             space.arrival[space.order[i]] = UNSEEN
 
@@ -180,6 +181,7 @@ def burn_run(
     clock: Clock,
     starts: Starts,
     walls: Walls,
+    cleared: Cleared,
     embers: Embers,
     space: Workspace,
     run: int,
@@ -198,7 +200,7 @@ def burn_run(
     ring = size_of_ring - _ONE
     limit = starts.limit[run]
     awaited = walls.crews.size > 0
-    cleared = walls.ground.shape[0] > 0
+    clears = cleared.ground.shape[0] > 0
     walled, throws, periodic = near.size > 0, embers.mean.size > 0, positions.size > 0
     stride = np.uint64(seconds.size // (ends.size + 1))
     a_cell = _EIGHT if stride > _EIGHT else _ZERO  # times of an edge from one cell to the next
@@ -225,9 +227,9 @@ def burn_run(
                 found = 1
                 if walled and kept(walls, cell) == 0.0 and stands(walls, run, cell) and manned(walls, cell, times[0]):
                     found = 0
-                if cleared and kept(walls, cell) == 0.0:
-                    ground = spared(walls, run, cell, times[0])
-                    if falls_on(walls.ground_keys[run], number(steps, cell), ground):
+                if clears and kept(walls, cell) == 0.0:
+                    ground = spared(walls, cleared, run, cell, times[0])
+                    if falls_on(cleared.keys[run], number(steps, cell), ground):
                         found = 0
             lit += 1
         else:
@@ -289,7 +291,7 @@ def burn_run(
                     continue
                 found += 1
             if throws:
-                found = _throw(embers, walls, run, step, cell, t, steps, targets, times, found)
+                found = _throw(embers, walls, cleared, run, step, cell, t, steps, targets, times, found)
         for k in range(found):
             target = targets[k]
             t = times[k]
@@ -331,6 +333,7 @@ def burn_run(
 def _throw(
     embers: Embers,
     walls: Walls,
+    cleared: Cleared,
     run: int,
     step: int,
     cell: np.uint64,
@@ -355,9 +358,9 @@ def _throw(
                     when = t + flying.smoulders(embers, run, here, k)
                     if manned(walls, target, when):
                         share = kept(walls, target)
-                if walls.ground.shape[0] > 0:
+                if cleared.ground.shape[0] > 0:
                     when = t + flying.smoulders(embers, run, here, k)
-                    share *= 1.0 - spared(walls, run, target, when) / GROUND
+                    share *= 1.0 - spared(walls, cleared, run, target, when) / GROUND
                 if flying.lights(embers, run, here, k, target, share):
                     targets[found] = target
                     times[found] = when if when > _ZERO else t + flying.smoulders(embers, run, here, k)

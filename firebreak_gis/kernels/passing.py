@@ -9,7 +9,7 @@ from firebreak_gis.kernels.draws import Thresholds
 from firebreak_gis.kernels.embers import Embers
 from firebreak_gis.kernels.percolation import Steps
 from firebreak_gis.kernels.policy import kernel
-from firebreak_gis.kernels.walls import Walls
+from firebreak_gis.kernels.walls import Cleared, Walls
 
 _ONE = np.uint64(1)
 
@@ -22,6 +22,7 @@ def let_through(
     clock: Clock,
     starts: Starts,
     walls: Walls,
+    cleared: Cleared,
     embers: Embers,
     space: Workspace,
     runs: np.ndarray,
@@ -33,7 +34,7 @@ def let_through(
 
     Parameters
     ----------
-    thresholds, keys, steps, clock, starts, walls, embers, space, runs
+    thresholds, keys, steps, clock, starts, walls, cleared, embers, space, runs
         As in `arrival.burn_timed`.
     value
         (n_cells,) float64 lost when the cell burns.
@@ -50,7 +51,7 @@ def let_through(
     lost = 0.0
     for k in range(runs.size):
         run = runs[k]
-        size = burn_run(thresholds, keys[run], steps, clock, starts, walls, embers, space, run)
+        size = burn_run(thresholds, keys[run], steps, clock, starts, walls, cleared, embers, space, run)
         for i in range(size):
             cell = space.order[size - _ONE - np.uint64(i)]
             whole = hanging[cell] + value[cell]

@@ -11,7 +11,7 @@ import numpy as np
 
 from firebreak_gis.kernels.percolation import Steps
 from firebreak_gis.kernels.policy import kernel
-from firebreak_gis.kernels.walls import Walls, spared
+from firebreak_gis.kernels.walls import Cleared, Walls, spared
 
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
@@ -96,6 +96,7 @@ def add_run(
     steps: Steps,
     strongest: np.ndarray,
     walls: Walls,
+    cleared: Cleared,
 ) -> None:
     """Add one run.
 
@@ -111,7 +112,7 @@ def add_run(
         Of the grid.
     strongest
         (n_cells,) float32 intensity of a fire that starts in the cell [kW/m].
-    walls
+    walls, cleared
         Breaks, and how they hold.
     """
     if tally.rim.size > 0:
@@ -124,18 +125,18 @@ def add_run(
         tally.counts[order[i]] += np.uint32(1)
     if tally.unit > 1:
         for i in range(size):
-            burnt -= spared(walls, run, np.uint64(order[i]), arrival[order[i]])
+            burnt -= spared(walls, cleared, run, np.uint64(order[i]), arrival[order[i]])
     tally.sizes[run] = burnt
     if tally.value.size > 0:
         total = 0.0
         for i in range(size):
             share = 1.0
             if tally.unit > 1:
-                share -= spared(walls, run, np.uint64(order[i]), arrival[order[i]]) / tally.unit
+                share -= spared(walls, cleared, run, np.uint64(order[i]), arrival[order[i]]) / tally.unit
             total += tally.value[order[i]] * share
         tally.lost[run] = total
     if tally.by_time.size > 0 or tally.growth.size > 0:
-        _by_time(tally, run, order, size, arrival, walls)
+        _by_time(tally, run, order, size, arrival, walls, cleared)
     if tally.by_size.size > 0:
         k = np.searchsorted(tally.classes, burnt)
         for i in range(size):
@@ -156,7 +157,15 @@ def add_run(
 
 
 @kernel
-def _by_time(tally: Tally, run: int, order: np.ndarray, size: np.uint64, arrival: np.ndarray, walls: Walls) -> None:
+def _by_time(
+    tally: Tally,
+    run: int,
+    order: np.ndarray,
+    size: np.uint64,
+    arrival: np.ndarray,
+    walls: Walls,
+    cleared: Cleared,
+) -> None:
     edges = tally.edges
     k = 0
     for i in range(size):
@@ -173,7 +182,7 @@ def _by_time(tally: Tally, run: int, order: np.ndarray, size: np.uint64, arrival
             if tally.growth.size > 0:
                 tally.growth[run, k] += tally.unit
                 if tally.unit > 1:
-                    tally.growth[run, k] -= spared(walls, run, np.uint64(cell), t)
+                    tally.growth[run, k] -= spared(walls, cleared, run, np.uint64(cell), t)
     if tally.growth.size > 0:
         for k in range(1, edges.size):
             tally.growth[run, k] += tally.growth[run, k - 1]

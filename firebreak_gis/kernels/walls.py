@@ -38,13 +38,6 @@ class Walls(NamedTuple):
         (n_cells,) uint32: as `holds`, of the lines across the links to cells of a higher number.
     line_stretch
         (n_cells,) uint32: as `stretch`, of those lines.
-    ground
-        (n, 4) uint32: a cell, how many of the `GROUND` parts of it a line clears, and as `holds` and `stretch`, of
-        that line; cells rise. Empty without lines.
-    ground_at
-        (n_cells,) uint32: the first of `ground` in the cell; n where there is none. Empty without lines.
-    ground_keys
-        (n_runs,) uint64 from `draws.run_keys`, for where in its cell a fire starts.
     crews
         (n_cells,) uint64 [s]: nothing holds against fire that comes to the cell before; empty if crews are everywhere.
     """
@@ -58,10 +51,26 @@ class Walls(NamedTuple):
     crossed: np.ndarray
     line_holds: np.ndarray
     line_stretch: np.ndarray
-    ground: np.ndarray
-    ground_at: np.ndarray
-    ground_keys: np.ndarray
     crews: np.ndarray
+
+
+class Cleared(NamedTuple):
+    """Ground that lines clear; apart from `Walls`, which the hot loop is given. Without lines, empty.
+
+    Parameters
+    ----------
+    ground
+        (n, 4) uint32: a cell, how many of the `GROUND` parts of it a line clears, and as `Walls.holds` and
+        `Walls.stretch`, of that line; cells rise.
+    first
+        (n_cells,) uint32: the first of `ground` in the cell; n where there is none.
+    keys
+        (n_runs,) uint64 from `draws.run_keys`, for where in its cell a fire starts.
+    """
+
+    ground: np.ndarray
+    first: np.ndarray
+    keys: np.ndarray
 
 
 @inlined
@@ -99,17 +108,17 @@ def kept(walls: Walls, cell: np.uint64) -> float:
 
 
 @kernel
-def spared(walls: Walls, run: int, cell: np.uint64, t: np.uint64) -> int:
+def spared(walls: Walls, cleared: Cleared, run: int, cell: np.uint64, t: np.uint64) -> int:
     """Ground that does not burn of a cell to which fire comes at t [s], of `GROUND`: what lines clear that hold.
 
     Of the ground under lines that leak, as much burns as they leave of the spread.
     """
     result = 0
-    k = np.uint64(walls.ground_at[cell])
-    while k < walls.ground.shape[0] and walls.ground[k, 0] == cell:
-        draw = word(walls.keys[run], np.uint64(walls.ground[k, 3])) >> np.uint64(32)
-        if below(draw, np.uint64(walls.ground[k, 2])):
-            result += np.int64(walls.ground[k, 1])
+    k = np.uint64(cleared.first[cell])
+    while k < cleared.ground.shape[0] and cleared.ground[k, 0] == cell:
+        draw = word(walls.keys[run], np.uint64(cleared.ground[k, 3])) >> np.uint64(32)
+        if below(draw, np.uint64(cleared.ground[k, 2])):
+            result += np.int64(cleared.ground[k, 1])
         k += _ONE
     if result > 0:
         result = min(result, GROUND) if manned(walls, cell, t) else 0
@@ -130,7 +139,7 @@ def off_ground(keys: np.ndarray, starts: np.ndarray, cells: np.ndarray, ground: 
     Parameters
     ----------
     keys
-        (n_runs,) uint64, as `Walls.ground_keys`.
+        (n_runs,) uint64, as `Cleared.keys`.
     starts, cells
         Those of run i are ``cells[starts[i]:starts[i + 1]]``; -1 burns nothing.
     ground

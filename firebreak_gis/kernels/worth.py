@@ -18,7 +18,7 @@ from firebreak_gis.kernels.draws import Thresholds
 from firebreak_gis.kernels.embers import Embers
 from firebreak_gis.kernels.percolation import Steps
 from firebreak_gis.kernels.policy import kernel
-from firebreak_gis.kernels.walls import Walls, stands
+from firebreak_gis.kernels.walls import Cleared, Walls, stands
 
 _ONE = np.uint64(1)
 _LOST, _BESIDE = np.uint8(1), np.uint8(2)
@@ -102,6 +102,7 @@ def worth(
     clock: Clock,
     starts: Starts,
     walls: Walls,
+    cleared: Cleared,
     embers: Embers,
     space: Workspace,
     runs: np.ndarray,
@@ -114,7 +115,7 @@ def worth(
 
     Parameters
     ----------
-    thresholds, keys, steps, clock, starts, embers, space, runs
+    thresholds, keys, steps, clock, starts, cleared, embers, space, runs
         As in `arrival.burn_timed`.
     walls
         Breaks with the built parts; `holds` belongs to the thread, `near` is set beside all parts.
@@ -134,7 +135,8 @@ def worth(
     again = Starts(memory.first, memory.seeds, memory.at, starts.limit)
     for k in range(runs.size):
         run = runs[k]
-        size = np.int64(burn_run(thresholds, keys[run], steps, clock, starts, walls, embers, space, run))
+        key = keys[run]
+        size = np.int64(burn_run(thresholds, key, steps, clock, starts, walls, cleared, embers, space, run))
         for i in range(size):
             cell = space.order[i]
             memory.order[i] = cell
@@ -158,7 +160,7 @@ def worth(
                     removed, count = _taken_back(steps, starts, parts, part, memory, space, size, run, value)
                 memory.first[run] = 0
                 memory.first[run + 1] = count
-                burnt = np.int64(burn_run(thresholds, keys[run], steps, clock, again, walls, embers, space, run))
+                burnt = np.int64(burn_run(thresholds, key, steps, clock, again, walls, cleared, embers, space, run))
                 for i in range(burnt):
                     cell = space.order[i]
                     if memory.arrival[cell] == UNSEEN or memory.mark[cell] == _LOST:

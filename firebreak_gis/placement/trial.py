@@ -149,13 +149,13 @@ class Trial:
                 holds = uncut.copy()
                 holds[up] = walls.holds[up]
                 laid = kernels.Parts(first, cells, of, built, walls.holds, uncut)
-                yield ready._replace(given=(*ready.given[:5], walls._replace(holds=holds), ready.given[6], laid))
+                yield ready._replace(given=(*ready.given[:5], walls._replace(holds=holds), *ready.given[6:], laid))
 
         def added(ready: Ready, space: Workspace, runs: np.ndarray, sums: np.ndarray) -> None:
-            *before, walls, embers, laid = ready.given
+            *before, walls, cleared, embers, laid = ready.given
             walls = walls._replace(holds=walls.holds.copy())
             memory = kernels.kept(value.size, n_runs, len(parts))
-            sums[-1] += kernels.worth(*before, walls, embers, space, runs, value, laid, memory, sums[:-1])
+            sums[-1] += kernels.worth(*before, walls, cleared, embers, space, runs, value, laid, memory, sums[:-1])
 
         total = self._summed(readied(), n_runs, len(parts) + 1, added, progress)
         return total[:-1], float(total[-1])

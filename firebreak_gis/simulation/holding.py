@@ -27,7 +27,7 @@ from firebreak_gis.network import neighbour
 if TYPE_CHECKING:
     import xarray as xr
 
-    from firebreak_gis.kernels.walls import Walls
+    from firebreak_gis.kernels.walls import Cleared, Walls
     from firebreak_gis.network import Residual, SpreadNetwork
     from firebreak_gis.simulation.window import Window
 
@@ -287,7 +287,6 @@ def build_walls(
     intensity: np.ndarray | None = None,
     window: Window | None = None,
     crews: np.ndarray | None = None,
-    ground_keys: np.ndarray | None = None,
 ) -> Walls:
     """What the kernel is given of the breaks.
 
@@ -315,35 +314,26 @@ def build_walls(
     crews
         (rows, cols) uint64, when crews are at each cell [s]; nothing cut holds against fire that comes before, barriers
         do. None: there is no need of them.
-    ground_keys
-        (n_runs,) uint64 keys of the runs for the purpose `ground`; only lines need them.
     """
     from firebreak_gis.kernels.walls import Walls
 
     n_cells = network.burnable.size
     probability = network.probability.reshape(8, n_cells)
     kept = network.kept_share(residual).ravel()
-    none, no_links, no_ground = np.zeros(0, np.uint32), np.zeros(0, np.uint8), np.zeros((0, 4), np.uint32)
+    none, no_links = np.zeros(0, np.uint32), np.zeros(0, np.uint8)
     awaited = np.zeros(0, np.uint64) if crews is None else crews.ravel()
     if breaks is None and barriers is None:
         bare = (np.zeros(0, bool), none, none, keys, kept, probability)
-        return Walls(*bare, no_links, none, none, no_ground, none, np.zeros(0, np.uint64), awaited)
+        return Walls(*bare, no_links, none, none, awaited)
     near = np.zeros(network.shape, bool)
     chance = np.zeros(network.shape)
-    crossed, line_holds, line_stretch, ground, ground_at = no_links, none, none, no_ground, none
-    starting = np.zeros(0, np.uint64) if ground_keys is None else ground_keys
+    crossed, line_holds, line_stretch = no_links, none, none
     if isinstance(breaks, LineBreaks):
         network.grid.require(breaks.grid, "the lines")
         crossed = breaks.crossed.ravel()
         line_holds = _digits(chances_by_width(network, breaks.width, hold, intensity))
         line_stretch = breaks.stretches(hold.length).ravel()
         near |= breaks.crossed > 0
-        cleared = breaks.cleared
-        often = chances_by_width(network, cleared.width, hold, intensity, cleared.cell)
-        ground = np.column_stack([cleared.cell, cleared.part, _digits(often), cleared.stretches(hold.length)])
-        ground = ground.astype(np.uint32)
-        ground_at = np.full(n_cells, len(ground), np.uint32)
-        ground_at[cleared.cell[::-1]] = np.arange(len(ground))[::-1]  # of those in a cell, the first is set last
     elif breaks is not None:
         chance = chances(network, network.mask(breaks, "breaks"), hold, intensity)
     stretch = 2 * stretches(network.shape, network.grid.cell_size, hold.length, window)
@@ -356,7 +346,27 @@ def build_walls(
     for d in range(8):
         near |= neighbour(holds.reshape(network.shape) > 0, d, network.boundary)
     on_cells = (near.ravel(), holds, stretch.ravel(), keys, kept, probability)
-    return Walls(*on_cells, crossed, line_holds, line_stretch, ground, ground_at, starting, awaited)
+    return Walls(*on_cells, crossed, line_holds, line_stretch, awaited)
+
+
+def cleared_ground(
+    network: SpreadNetwork,
+    keys: np.ndarray,
+    breaks: np.ndarray | xr.DataArray | LineBreaks | None,
+    hold: Hold,
+    intensity: np.ndarray | None = None,
+) -> Cleared:
+    """Ground that lines clear, for the kernel; parameters as in `build_walls`, keys of the purpose `ground`."""
+    from firebreak_gis.kernels.walls import Cleared
+
+    if not isinstance(breaks, LineBreaks):
+        return Cleared(np.zeros((0, 4), np.uint32), np.zeros(0, np.uint32), keys)
+    part = breaks.cleared
+    often = chances_by_width(network, part.width, hold, intensity, part.cell)
+    ground = np.column_stack([part.cell, part.part, _digits(often), part.stretches(hold.length)]).astype(np.uint32)
+    first = np.full(network.burnable.size, len(ground), np.uint32)
+    first[part.cell[::-1]] = np.arange(len(ground))[::-1]  # of those in a cell, the first is set last
+    return Cleared(ground, first, keys)
 
 
 def _digits(chance: np.ndarray) -> np.ndarray:

@@ -19,7 +19,7 @@ from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.durations import ENDLESS
 from firebreak_gis.simulation.embers import nothing_flies, what_flies, wind_of
 from firebreak_gis.simulation.engine import in_use, ranges, spread
-from firebreak_gis.simulation.holding import build_walls, strongest
+from firebreak_gis.simulation.holding import build_walls, cleared_ground, strongest
 from firebreak_gis.simulation.products import Products, add_up, in_cells, new_tally, own_sums, part_of, take_part
 from firebreak_gis.threads import run_pieces
 
@@ -303,8 +303,8 @@ def made_ready(
             intensity=intensity,
             window=window,
             crews=crews,
-            ground_keys=keys["ground"],
         )
+        cleared = cleared_ground(group.network, keys["ground"], breaks, request.holding, intensity)
         flying = nothing_flies(keys["embers"])
         if request.embers is not None:
             group.network.require_times("embers")
@@ -316,7 +316,7 @@ def made_ready(
                 winds=group.winds or [wind_of(request.embers, group.network)],
             )
         clock, span = clock_of(group, longest, embers=request.embers is not None)
-        given = (laid.thresholds(group), keys["edges"], grid_steps, clock, starts, walls, flying)
+        given = (laid.thresholds(group), keys["edges"], grid_steps, clock, starts, walls, cleared, flying)
         yield Ready(group, given, span, intensity)
 
 

@@ -20,7 +20,7 @@ from firebreak_gis.simulation import timed as timed_runs
 from firebreak_gis.simulation.durations import Duration
 from firebreak_gis.simulation.embers import nothing_flies
 from firebreak_gis.simulation.fires import burn
-from firebreak_gis.simulation.holding import build_walls
+from firebreak_gis.simulation.holding import build_walls, cleared_ground
 from firebreak_gis.simulation.products import Products, new_tally
 from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.simulation.windows import MapInMemory, burn_windows
@@ -193,7 +193,9 @@ class Timed:
             percolation.steps(network.shape, periodic=False),
             self.clock,
         )
-        self.after = (walls, nothing_flies(keys["embers"]), arrival_kernel.workspace(self.n_cells, self.span))
+        cleared = cleared_ground(network, keys["hold"], None, request.holding)
+        space = arrival_kernel.workspace(self.n_cells, self.span)
+        self.after = (walls, cleared, nothing_flies(keys["embers"]), space)
 
     def burn(self, limit: int) -> np.ndarray:
         """Size of every fire."""
