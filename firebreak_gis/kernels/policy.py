@@ -11,6 +11,7 @@ from __future__ import annotations
 import hashlib
 import os
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numba
@@ -19,6 +20,10 @@ from numba.core.caching import IndexDataCacheFile
 
 from firebreak_gis.progress import COMPILING
 
+#: Of all kernels: numba itself looks at the file of a function alone, not at those of the functions that it calls.
+_SOURCES = tuple(
+    (file.name, file.stat().st_mtime, file.stat().st_size) for file in sorted(Path(__file__).parent.glob("*.py"))
+)
 _CACHE = os.environ.get("FIREBREAK_NO_CACHE", "") in ("", "0")
 
 
@@ -60,6 +65,7 @@ def _compiled(**how: Any) -> Callable[..., Any]:
         file = getattr(getattr(dispatcher, "_cache", None), "_cache_file", None)
         if type(file) is IndexDataCacheFile:  # not without a cache, and perhaps not in a later numba
             file.__class__ = _CacheFile
+            file._source_stamp = (file._source_stamp, _SOURCES)
         return dispatcher
 
     return compiled

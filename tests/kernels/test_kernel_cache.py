@@ -1,5 +1,6 @@
 """Compiled kernels on disk: programs that compile at the same time do not take each other's code."""
 
+import shutil
 import subprocess
 import sys
 
@@ -52,3 +53,18 @@ def test_code_for_other_types_is_never_loaded(program, tmp_path):
 def test_without_a_cache_file_nothing_changes(monkeypatch):
     twice = kernel(lambda x: 2 * x)
     assert twice(np.float64(1.5)) == 3.0
+
+
+def test_a_kernel_is_compiled_anew_where_one_that_it_calls_has_changed(tmp_path):
+    shutil.copytree(ROOT / "firebreak_gis", tmp_path / "firebreak_gis", ignore=shutil.ignore_patterns("__pycache__"))
+    kernels = tmp_path / "firebreak_gis" / "kernels"
+    head = "from firebreak_gis.kernels.policy import kernel\n"
+    (kernels / "outer.py").write_text(
+        f"{head}from firebreak_gis.kernels.inner import f\n\n@kernel\ndef g(x):\n    return f(x)\n"
+    )
+    words = [sys.executable, "-c", "from firebreak_gis.kernels.outer import g; print(g(2.0))"]
+    environment = {"NUMBA_CACHE_DIR": str(tmp_path / "cache"), "PYTHONPATH": str(tmp_path), "PATH": ""}
+    for factor in (3, 50):
+        (kernels / "inner.py").write_text(f"{head}\n@kernel\ndef f(x):\n    return {factor} * x\n")
+        done = subprocess.run(words, env=environment, capture_output=True, text=True, check=True, cwd=tmp_path)
+        assert float(done.stdout) == 2 * factor
