@@ -151,6 +151,7 @@ CHOICES: Mapping[str, Mapping[str, str]] = {
     },
     "unknown": {"refuse": "Refuse them", "nonburnable": "Take them as land without fuel"},
     "neighbourhood": {"moore": "All eight", "von_neumann": "The four that share a side"},
+    "bits": {"exact": "Exact", "16": "16 bits", "8": "8 bits"},
     "budget_unit": {"share": "Share of the fuel (0 to 1)", "ha": "Hectares", "cost": "Money"},
     "protected_rule": {"every-part": "Cells with any part in the area", "centre": "Cells whose centre is in the area"},
     "goal": {"mean": "The mean fire", "worst-tenth": "The worst tenth of the fires"},

@@ -177,7 +177,8 @@ def test_a_plan_carries_its_judgement(make_landscape):
 
 
 @pytest.mark.parametrize("unit", ["share", "cost"])
-def test_local_search_keeps_the_budget_and_what_may_not_be_cut(make_landscape, unit):
+@pytest.mark.parametrize("timeless", [True, False])
+def test_local_search_keeps_the_budget_and_what_may_not_be_cut(make_landscape, unit, timeless):
     landscape = make_landscape((11, 14), seed=8, relief=3.0, holes=0.05)
     fuel = landscape["burnable"].to_numpy()
     rng = np.random.default_rng(1)
@@ -190,15 +191,17 @@ def test_local_search_keeps_the_budget_and_what_may_not_be_cut(make_landscape, u
         "method": "flammability",
         "n_runs": 200,
         "seed": 2,
+        "timeless": timeless,
     }
     plain, better = plan(landscape, **asked), plan(landscape, refine=True, **asked)
     cut = better.breaks.to_numpy() > 0
     assert not cut[protected | ~fuel].any()
     assert np.isneginf(better.priority.to_numpy()[protected | ~fuel]).all()
     assert cost[cut].sum() <= asked["budget"] or unit == "share"
-    assert unit == "cost" or cut.sum() == plain.breaks.to_numpy().sum()
+    assert unit == "cost" or cut.sum() <= plain.breaks.to_numpy().sum()
     # The fires are those of no design.
-    assert better.after["fire_size"].mean() < plain.after["fire_size"].mean()
+    burnt, before = better.after["fire_size"].mean(), plain.after["fire_size"].mean()
+    assert burnt < before if timeless else burnt <= before  # with a clock parts are moved, of which here are few
 
 
 def test_local_search_would_not_keep_a_width(make_landscape):

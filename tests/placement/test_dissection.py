@@ -410,19 +410,19 @@ def test_regions_are_the_connected_pieces_that_the_walls_leave(seed):
     network, stakes = landscape(2 * seed, (30, 35))
     patches = Patches.of(network, stakes, width=1, leaky=False, directions=8, shares=(0.25, 0.4), coarse_from=40)
     regions = Regions(patches, network.burnable, 100)
-    waiting, built = list(regions), np.zeros(0, np.int64)
+    waiting = list(regions)
+    graph = nx.Graph(graph_of(network, np.flatnonzero(network.burnable.ravel())))
     while waiting:
         region = waiting.pop(0)
         cells = regions.cells(region)
         assert region.size == cells.size
         assert region.loss == pytest.approx(patches.loss(cells))
-        graph = graph_of(network, np.setdiff1d(np.flatnonzero(network.burnable.ravel()), built))
         found = nx.node_connected_component(graph, divmod(int(cells[0]), network.shape[1]))
         assert sorted(row * network.shape[1] + col for row, col in found) == cells.tolist()
         split = regions.split(region)
         if split is not None:
             wall, pieces_left = split
-            built = np.append(built, wall)
+            graph.remove_nodes_from(divmod(int(cell), network.shape[1]) for cell in wall)
             assert len(pieces_left) > 1
             waiting += pieces_left
 

@@ -436,12 +436,12 @@
         <translation>Ακριβώς</translation>
     </message>
     <message>
-        <source>16</source>
-        <translation>16 ψηφία</translation>
+        <source>16 bits</source>
+        <translation>16 δυαδικά ψηφία</translation>
     </message>
     <message>
-        <source>8</source>
-        <translation>8 ψηφία</translation>
+        <source>8 bits</source>
+        <translation>8 δυαδικά ψηφία</translation>
     </message>
     <message>
         <source>Where a line can be held</source>

@@ -436,12 +436,12 @@
         <translation>Esatto</translation>
     </message>
     <message>
-        <source>16</source>
-        <translation>16</translation>
+        <source>16 bits</source>
+        <translation>16 bit</translation>
     </message>
     <message>
-        <source>8</source>
-        <translation>8</translation>
+        <source>8 bits</source>
+        <translation>8 bit</translation>
     </message>
     <message>
         <source>Where a line can be held</source>
