@@ -65,7 +65,7 @@ def exchange(
     -----
     A round costs about ten times what its fires take to burn, however many parts there are. On Rhodes in cells of 40 m,
     of which 5 % are cut and hold by stretches in 0.47 of fires, ten rounds of 1,000 fires save 28.6 in place of 27.5 %,
-    and 80,000 fires 29.2 %.
+    and eight rounds of the same 8,000 fires 29.2 %.
     """
     flat = np.where(network.burnable & ~stakes.protected, priority, -np.inf).ravel()
     order = np.argsort(-flat, kind="stable")[: int(np.count_nonzero(flat > -np.inf))]
