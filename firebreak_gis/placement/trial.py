@@ -13,6 +13,7 @@ import numpy as np
 
 from firebreak_gis.progress import part, silent
 from firebreak_gis.simulation.ground_fires import MapInMemory, burn_on, by_windows
+from firebreak_gis.simulation.holding import build_walls
 from firebreak_gis.simulation.ignitions import Ignitions
 from firebreak_gis.simulation.timed import Spaces, containment, made_ready
 from firebreak_gis.simulation.windows import passing_windows
@@ -138,13 +139,22 @@ class Trial:
         of = np.full(value.size, -1, np.int32)
         of[cells] = np.repeat(np.arange(len(parts), dtype=np.int32), np.diff(first))
         up = cells[np.repeat(built, np.diff(first))]
-        bare = made_ready(**self._given(None, n_runs, first_run))
 
         def readied() -> Iterator[Ready]:
             """With walls of all parts, which are then taken down but for those that are built."""
             everywhere = (of >= 0).reshape(self.stakes.value.shape)
-            for ready, without in zip(made_ready(**self._given(everywhere, n_runs, first_run)), bare, strict=True):
-                walls, uncut = ready.given[5], without.given[5].holds
+            for ready in made_ready(**self._given(everywhere, n_runs, first_run)):
+                walls = ready.given[5]
+                uncut = build_walls(
+                    ready.group.network,
+                    walls.keys,
+                    breaks=beside(None, self.standing),
+                    residual=self.fires.residual,
+                    hold=self.fires.holding,
+                    barriers=self.ground.barriers,
+                    barriers_hold=self.fires.barriers_hold,
+                    intensity=ready.intensity,
+                ).holds
                 uncut = uncut if uncut.size else np.zeros_like(walls.holds)
                 holds = uncut.copy()
                 holds[up] = walls.holds[up]

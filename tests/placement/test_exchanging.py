@@ -81,6 +81,18 @@ def test_worth_under_changing_weather_and_beside_standing_breaks():
     np.testing.assert_array_equal(worth, replace(trial, threads=1).worth(parts, built, n_runs=30)[0])
 
 
+def test_worth_where_barriers_hold_more_often_than_breaks():
+    network, trial, parts, built = problem(7, hold=FAILING)
+    barriers = np.zeros(network.shape, bool)
+    barriers.ravel()[np.concatenate(parts)[::4]] = True
+    trial = replace(trial, ground=Ground(network, barriers=barriers))
+    worth, lost = trial.worth(parts, built, n_runs=30)
+    assert lost == pytest.approx(losses(network, trial, parts, built, n_runs=30), rel=1e-12)
+    for k in np.argsort(-worth)[:5]:
+        changed = losses(network, trial, parts, built ^ (np.arange(30) == k), n_runs=30)
+        assert worth[k] == pytest.approx(abs(changed - lost), rel=1e-9)
+
+
 def test_embers_leave_worth_near_what_it_is():
     network, trial, parts, built = problem(6, hold=FAILING, embers=WINDY)
     worth, lost = trial.worth(parts, built, n_runs=60)
