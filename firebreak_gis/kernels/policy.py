@@ -43,17 +43,28 @@ event.register("numba:compile", _Compiles())
 class _CacheFile(IndexDataCacheFile):
     """Compiled code of one function on disk, which several programs may fill at once.
 
-    numba numbers the files of a function and enters them into the index before they are written. Two programs that
-    compile it for different types at the same time then write one file for both, and the machine code that a third one
-    loads takes other arguments than it is given.
+    numba keeps an index of a function's files, and numbers them. Two programs that compile it at the same time then write
+    one file for both, and the machine code that a third one loads takes other arguments than it is given; or the later
+    one's index forgets what the earlier one compiled. A file named by what it holds needs no index.
     """
 
+    def _name(self, key: Any) -> str:
+        mark = hashlib.sha256(repr((self._version, self._source_stamp, key)).encode()).hexdigest()[:16]
+        return self._index_name.removesuffix(".nbi") + f".{mark}.nbc"
+
     def save(self, key: Any, data: Any) -> None:
-        """Keep compiled code in a file named by what it was compiled for, then enter it into the index."""
-        mark = hashlib.sha256(repr((self._source_stamp, key)).encode()).hexdigest()[:16]
-        name = self._index_name.removesuffix(".nbi") + f".{mark}.nbc"
-        self._save_data(name, data)
-        self._save_index({**self._load_index(), key: name})
+        """Keep compiled code in a file named by what it was compiled for."""
+        self._save_data(self._name(key), data)
+
+    def load(self, key: Any) -> Any:
+        """Find code compiled for the same before, or None."""
+        try:
+            return self._load_data(self._name(key))
+        except OSError:
+            return None
+
+    def flush(self) -> None:
+        """Nothing to forget: what was compiled for something else has another name."""
 
 
 def _compiled(**how: Any) -> Callable[..., Any]:
