@@ -131,7 +131,7 @@ def test_krylov_needs_fewer_products():
 
 
 def test_extrapolation_needs_a_third_of_the_products():
-    network = smooth_landscape(2, (40, 50), wind=False)
+    network = smooth_landscape(2, (24, 30), wind=False)
     largest = float(np.linalg.eigvals(twin.adjacency(network)).real.max())
     found = katz(network.probability, 0.9 / largest, 0.9, transpose=True)
     assert found.error <= 1e-10

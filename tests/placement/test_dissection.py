@@ -35,7 +35,7 @@ from tests.twins import placement as twin
 SEEDS = st.integers(0, 10_000)
 #: Patches of more cells are searched coarsely first: those of the tests, or none.
 COARSE = st.sampled_from([40, 100, 100_000])
-LANDSCAPES = settings(max_examples=15, deadline=None, derandomize=True)
+LANDSCAPES = settings(max_examples=10, deadline=None, derandomize=True)
 
 
 def landscape(seed: int, shape: tuple[int, int] = (19, 24)) -> tuple[SpreadNetwork, Stakes]:
