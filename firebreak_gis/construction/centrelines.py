@@ -18,9 +18,6 @@ if TYPE_CHECKING:
     import shapely
     from affine import Affine
 
-_SIDES = ((0, 1), (1, 0), (0, -1), (-1, 0))
-_CORNERS = ((1, 1), (1, -1), (-1, -1), (-1, 1))
-
 
 @dataclass(frozen=True)
 class Borders:
@@ -49,30 +46,6 @@ class Borders:
     reached: np.ndarray
 
 
-@dataclass(frozen=True)
-class _Quarters:
-    """The grid at half the cell size, flat. An open grid has a margin of one empty cell, so that no step leaves it."""
-
-    rows: int
-    cols: int
-    margin: int
-
-    def step(self, at: np.ndarray, row: int, col: int) -> np.ndarray:
-        """Neighbours; a torus closes on itself."""
-        r, c = np.divmod(at, self.cols)
-        return np.asarray((r + row) % self.rows * self.cols + (c + col) % self.cols)
-
-    def place(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Row and column of quarters, from the upper left corner of the grid."""
-        r, c = np.divmod(at, self.cols)
-        return r - 2 * self.margin, c - 2 * self.margin
-
-    def cell(self, at: np.ndarray) -> np.ndarray:
-        """Row-major number of the cell that the quarter lies in."""
-        r, c = self.place(at)
-        return np.asarray(r // 2 * (self.cols // 2 - 2 * self.margin) + c // 2)
-
-
 def find_borders(labels: np.ndarray, cut: np.ndarray, *, periodic: bool = False) -> Borders:
     """Find the borders between compartments inside the breaks.
 
@@ -95,24 +68,23 @@ def find_borders(labels: np.ndarray, cut: np.ndarray, *, periodic: bool = False)
     Distance grows in octagons (steps over sides and over all eight neighbours in turn). A quarter equally near to two
     compartments goes to the lower number. Cost: linear in the cells, n log n in the cut cells.
     """
-    margin = 0 if periodic else 1
-    grid = _Quarters(2 * (cut.shape[0] + 2 * margin), 2 * (cut.shape[1] + 2 * margin), margin)
-    wall = _quarter(np.pad(cut, margin))
-    region = _quarter(np.pad(labels, margin))
-    quarters = np.flatnonzero(wall)
-    depth = _grow(grid, wall, region, quarters)
-    here, there, ends = _edges(grid, wall, region, quarters)
-    pair, edge = _stretches(region[here], region[there], ends)
-    sides = np.concatenate([here, there])
-    owners = np.concatenate([edge, edge])
-    owners, sides = owners[wall[sides]], sides[wall[sides]]
-    key, sizes = keyed(grid.cell(sides), owners)
+    from firebreak_gis.kernels.borders import descend, grow, meetings
+
+    cells = np.flatnonzero(cut)
+    number = np.full(cut.shape, -1, np.int32)
+    number[cut] = np.arange(cells.size)
+    region, depth = grow(number, labels, cells, periodic)
+    quarters, regions, ends = meetings(number, labels, cells, region, periodic)
+    pair, edge = _stretches(regions[0], regions[1], ends)
+    sides, owners = quarters.ravel(), np.concatenate([edge, edge])
+    owners, sides = owners[sides >= 0], sides[sides >= 0]
+    key, sizes = keyed(cells[sides // 4], owners)
     cell, stretch = np.unravel_index(np.unique(key), sizes)
-    reached = _descend(grid, depth, sides, owners)
-    nearest = np.full(cut.size, len(pair), np.int64)
-    np.minimum.at(nearest, grid.cell(quarters), np.where(reached[quarters] < 0, len(pair), reached[quarters]))
-    nearest[nearest == len(pair)] = -1
-    return Borders(pair, edge, ends, cell, stretch, nearest.reshape(cut.shape))
+    reached = descend(number, cells, depth, sides, owners, periodic).reshape(-1, 4)
+    nearest = np.where(reached < 0, len(pair), reached).min(axis=1, initial=len(pair))
+    of_cells = np.full(cut.shape, -1)
+    of_cells[cut] = np.where(nearest == len(pair), -1, nearest)
+    return Borders(pair, edge, ends, cell, stretch, of_cells)
 
 
 def draw_lines(borders: Borders, transform: Affine) -> list[shapely.Geometry]:
@@ -206,76 +178,6 @@ def _smooth(points: np.ndarray) -> shapely.LineString:
     if (points[0] == points[-1]).all():
         return shapely.LineString(np.concatenate([middles, middles[:1]]))
     return shapely.LineString(np.concatenate([points[:1], middles, points[-1:]]))
-
-
-def _quarter(plane: np.ndarray) -> np.ndarray:
-    return np.repeat(np.repeat(plane, 2, axis=0), 2, axis=1).ravel()
-
-
-def _grow(grid: _Quarters, wall: np.ndarray, region: np.ndarray, quarters: np.ndarray) -> np.ndarray:
-    """Spread the compartments over the quarters of the wall, in place; return the steps taken to each quarter."""
-    depth = np.zeros(wall.size, np.int32)
-    around = (
-        np.unique(np.concatenate([grid.step(quarters, r, c) for r, c in _SIDES + _CORNERS]))
-        if quarters.size
-        else quarters
-    )
-    last, older = around[region[around] > 0], quarters[:0]
-    step = 0
-    while last.size or older.size:
-        step += 1
-        over_corners = step % 2 == 0
-        front = np.concatenate([last, older]) if over_corners else last
-        targets, sources = _push(grid, front, _SIDES + _CORNERS if over_corners else _SIDES)
-        free = wall[targets] & (region[targets] == 0)
-        new, label = _lowest(targets[free], region[sources[free]])
-        region[new] = label
-        depth[new] = step
-        older = quarters[:0] if over_corners else last
-        last = new
-    return depth
-
-
-def _descend(grid: _Quarters, depth: np.ndarray, seeds: np.ndarray, owners: np.ndarray) -> np.ndarray:
-    """Stretch of each quarter that can be reached from a border by steps towards a compartment; -1 for others."""
-    found = np.full(depth.size, -1, np.int64)
-    front, label = _lowest(seeds, owners)
-    while front.size:
-        found[front] = label
-        targets, sources = _push(grid, front, _SIDES + _CORNERS)
-        lower = (found[targets] < 0) & (depth[targets] > 0) & (depth[targets] < depth[sources])
-        front, label = _lowest(targets[lower], found[sources[lower]])
-    return found
-
-
-def _push(grid: _Quarters, front: np.ndarray, steps: tuple[tuple[int, int], ...]) -> tuple[np.ndarray, np.ndarray]:
-    """All neighbours of a front, and which of it each comes from."""
-    return np.concatenate([grid.step(front, r, c) for r, c in steps]), np.tile(front, len(steps))
-
-
-def _lowest(targets: np.ndarray, labels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Each target once, with its lowest label."""
-    order = np.lexsort((labels, targets))
-    unique, first = np.unique(targets[order], return_index=True)
-    return unique, labels[order][first]
-
-
-def _edges(
-    grid: _Quarters, wall: np.ndarray, region: np.ndarray, quarters: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Units of border: the quarters on both sides, at least one of them cut, and the two ends."""
-    found: list[tuple[np.ndarray, np.ndarray, np.ndarray]] = []
-    for row, col in _SIDES:
-        there = grid.step(quarters, row, col)
-        meets = (region[quarters] > 0) & (region[there] > 0) & (region[quarters] != region[there])
-        if row + col < 0:  # between two cut quarters it is found from the other one
-            meets &= ~wall[there]
-        y, x = grid.place(quarters[meets])
-        start = np.column_stack([x + (col > 0), y + (row > 0)])
-        ends = np.stack([start, start + np.array([abs(row), abs(col)])], axis=1)
-        found.append((quarters[meets], there[meets], ends))
-    here, there, ends = (np.concatenate(part) for part in zip(*found, strict=True))
-    return here, there, ends.astype(np.int64)
 
 
 def _stretches(one: np.ndarray, other: np.ndarray, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -106,6 +106,22 @@ def workspace(n_cells: int, span: int) -> Workspace:
 
 
 @kernel
+def lay_out(times: np.ndarray, out: np.ndarray) -> tuple[int, int]:
+    """Lay times by direction, (8, n_cells) uint32, out by cell, (n_cells, 8); the least and the most of any step.
+
+    Where no fire moves they are `lattice.NEVER` and 1.
+    """
+    least, most = _NEVER, np.uint32(1)
+    for cell in range(times.shape[1]):
+        for d in range(8):
+            time = times[d, cell]
+            out[cell, d] = time
+            if time != _NEVER:
+                least, most = min(least, time), max(most, time)
+    return least, most
+
+
+@kernel
 def _across(
     seconds: np.ndarray, ends: np.ndarray, step: int, edge: np.uint64, stride: np.uint64, t: np.uint64
 ) -> np.uint64:

@@ -186,17 +186,21 @@ def _send(
 
 
 @kernel
-def _rim_of(near: np.ndarray, end: np.ndarray, cells: np.ndarray, which: int, rim: np.ndarray) -> int:
-    """List those of the cells of an end that have a neighbour outside it; their number."""
-    n_rim = 0
-    for i in range(cells.size):
+def _grown_rim(near: np.ndarray, end: np.ndarray, which: int, rim: np.ndarray, n_rim: int, added: np.ndarray) -> int:
+    """Bring the rim of an end up to date, its cells that have a neighbour outside it; their number.
+
+    Cells that an end has gained join the rim, and some of the old ones are inside it now.
+    """
+    kept = 0
+    for i in range(n_rim + added.size):
+        v = rim[i] if i < n_rim else added[i - n_rim]
         for d in range(8):
-            u = near[cells[i], d]
+            u = near[v, d]
             if u >= 0 and end[u] != which:
-                rim[n_rim] = cells[i]
-                n_rim += 1
+                rim[kept] = v
+                kept += 1
                 break
-    return n_rim
+    return kept
 
 
 @kernel
@@ -263,7 +267,9 @@ def best_cut(
         sent = np.int64(0)
         first, last = 0, n - 1
         ahead, behind = 0.0, 0.0
+        n_rim, n_sinks = 0, 0
         for s in range(shares.shape[0]):
+            from_first, from_last = first, last
             while first < last and (ahead <= shares[s] or first == 0):
                 end[order[first]] = SOURCE
                 ahead += mass[order[first]]
@@ -272,21 +278,21 @@ def best_cut(
                 end[order[last]] = SINK
                 behind += mass[order[last]]
                 last -= 1
-            starts = rim[: _rim_of(near, end, order[:first], SOURCE, rim)]
-            n_sinks = _rim_of(near, end, order[last + 1 :], SINK, sinks)
+            n_rim = _grown_rim(near, end, SOURCE, rim, n_rim, order[from_first:first])
+            n_sinks = _grown_rim(near, end, SINK, sinks, n_sinks, order[last + 1 : from_last + 1])
             more = np.int64(1)
             while more > 0 and sent < UNCUTTABLE and best * sent < 0.5:
                 most = np.int64(0.5 / best) - sent if best > 0.0 else np.int64(UNCUTTABLE)
                 if by_level and not levels(near, capacity, through, flow, end, sinks, n_sinks, level, queue):
-                    reached_from(near, capacity, through, flow, end, state, queue)
+                    reached_from(near, capacity, through, flow, end, rim[:n_rim], state, queue)
                     break
-                more = _send(near, capacity, through, flow, end, heads[k], starts, level, most, state, queue)
+                more = _send(near, capacity, through, flow, end, heads[k], rim[:n_rim], level, most, state, queue)
                 sent += more
             if sent >= UNCUTTABLE or best * sent >= 0.5:
                 break
             for i in range(first):
                 state[2 * order[i]] = state[2 * order[i] + 1] = 1
-            reaching(near, capacity, through, flow, end, reached, queue)
+            reaching(near, capacity, through, flow, end, sinks[:n_sinks], reached, queue)
             for side in range(2):
                 if side == 1:
                     reached[:] = state

@@ -114,7 +114,7 @@ def thresholds(probability: np.ndarray) -> Thresholds:
         (8, rows, cols) float32, in [0, 1].
     """
     n_cells = probability.shape[1] * probability.shape[2]
-    out = Thresholds(np.zeros(n_cells, np.uint64), np.zeros((n_cells, 3), np.uint64))
+    out = Thresholds(np.empty(n_cells, np.uint64), np.empty((n_cells, 3), np.uint64))
     _fill_thresholds(np.ascontiguousarray(probability).reshape(8, n_cells), out.top, out.rest)
     return out
 
@@ -130,14 +130,17 @@ def digits_of(p: float) -> np.uint64:
 
 @kernel
 def _fill_thresholds(probability: np.ndarray, top: np.ndarray, rest: np.ndarray) -> None:
-    for d in range(8):
-        shift = np.uint64(8 * d)
-        for cell in range(top.shape[0]):
-            digits = digits_of(np.float64(probability[d, cell]))
-            top[cell] |= (digits >> np.uint64(24)) << shift
-            rest[cell, 0] |= ((digits >> np.uint64(16)) & np.uint64(255)) << shift
-            rest[cell, 1] |= ((digits >> np.uint64(8)) & np.uint64(255)) << shift
-            rest[cell, 2] |= (digits & np.uint64(255)) << shift
+    for cell in range(top.shape[0]):
+        first, second, third, last = np.uint64(0), np.uint64(0), np.uint64(0), np.uint64(0)
+        for d in range(8):
+            if probability[d, cell] > 0.0:
+                shift = np.uint64(8 * d)
+                digits = digits_of(np.float64(probability[d, cell]))
+                first |= (digits >> np.uint64(24)) << shift
+                second |= ((digits >> np.uint64(16)) & np.uint64(255)) << shift
+                third |= ((digits >> np.uint64(8)) & np.uint64(255)) << shift
+                last |= (digits & np.uint64(255)) << shift
+        top[cell], rest[cell, 0], rest[cell, 1], rest[cell, 2] = first, second, third, last
 
 
 @inlined

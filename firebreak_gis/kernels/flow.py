@@ -191,11 +191,12 @@ def reached_from(
     through: np.ndarray,
     flow: np.ndarray,
     end: np.ndarray,
+    rim: np.ndarray,
     reached: np.ndarray,
     queue: np.ndarray,
 ) -> None:
-    """Set `reached[node]` to 1 where the source can send more flow to, to 0 elsewhere."""
-    tail = _begun(end, SOURCE, reached, queue)
+    """Set `reached[node]` to 1 where the source, whose rim is given, can send more flow to, to 0 elsewhere."""
+    tail = _begun(end, SOURCE, rim, reached, queue)
     head = 0
     while head < tail:
         node = queue[head]
@@ -226,11 +227,12 @@ def reaching(
     through: np.ndarray,
     flow: np.ndarray,
     end: np.ndarray,
+    rim: np.ndarray,
     reached: np.ndarray,
     queue: np.ndarray,
 ) -> None:
-    """Set `reached[node]` to 1 where more flow can be sent on to the sink, to 0 elsewhere."""
-    tail = _begun(end, SINK, reached, queue)
+    """Set `reached[node]` to 1 where more flow can be sent on to the sink, whose rim is given, to 0 elsewhere."""
+    tail = _begun(end, SINK, rim, reached, queue)
     head = 0
     while head < tail:
         node = queue[head]
@@ -255,27 +257,23 @@ def reaching(
 
 
 @inlined
-def _begun(end: np.ndarray, which: int, reached: np.ndarray, queue: np.ndarray) -> int:
-    """Mark the nodes of an end, and put them into the queue; their number."""
-    reached[:] = 0
-    tail = 0
+def _begun(end: np.ndarray, which: int, rim: np.ndarray, reached: np.ndarray, queue: np.ndarray) -> int:
+    """Mark the nodes of an end, and put those of its rim into the queue; their number."""
     for v in range(end.size):
-        if end[v] == which:
-            for node in (2 * v, 2 * v + 1):
-                reached[node] = 1
-                queue[tail] = node
-                tail += 1
-    return tail
+        reached[2 * v] = reached[2 * v + 1] = end[v] == which
+    for i in range(rim.size):
+        queue[2 * i], queue[2 * i + 1] = 2 * rim[i], 2 * rim[i] + 1
+    return 2 * rim.size
 
 
 @inlined
-def _rim(near: np.ndarray, end: np.ndarray, rim: np.ndarray) -> int:
-    """List the sink cells with a neighbour outside the sink; their number."""
+def rim_of(near: np.ndarray, end: np.ndarray, which: int, rim: np.ndarray) -> int:
+    """List the cells of an end that have a neighbour outside it; their number."""
     n_rim = 0
     for v in range(near.shape[0]):
-        if end[v] == SINK:
+        if end[v] == which:
             for d in range(8):
-                if near[v, d] >= 0 and end[near[v, d]] != SINK:
+                if near[v, d] >= 0 and end[near[v, d]] != which:
                     rim[n_rim] = v
                     n_rim += 1
                     break
@@ -355,7 +353,7 @@ def cut_between(
     queue = np.empty(2 * n, np.int32)
     pointer = np.empty(2 * n, np.uint8)
     sent = np.int64(0)
-    n_rim = _rim(near, end, rim)
+    n_rim = rim_of(near, end, SINK, rim)
     while levels(near, capacity, through, flow, end, rim, n_rim, level, queue):
         sent += _blocking(near, capacity, through, flow, end, level, pointer, queue)
         if sent >= UNCUTTABLE:
@@ -363,9 +361,10 @@ def cut_between(
     reached = pointer
     for side in range(2):
         if side == 0:
-            reaching(near, capacity, through, flow, end, reached, queue)
+            reaching(near, capacity, through, flow, end, rim[:n_rim], reached, queue)
         else:
-            reached_from(near, capacity, through, flow, end, reached, queue)
+            n_rim = rim_of(near, end, SOURCE, rim)
+            reached_from(near, capacity, through, flow, end, rim[:n_rim], reached, queue)
         score, cost = judged(capacity, ignition, value, reached, side, loss, total_ignition, total_value)
         if score > best:
             best = score

@@ -43,7 +43,7 @@ event.register("numba:compile", _Compiles())
 class _CacheFile(IndexDataCacheFile):
     """Compiled code of one function on disk, which several programs may fill at once.
 
-    numba keeps an index of a function's files, and numbers them. Two programs that compile it at the same time then write
+    numba keeps an index of a function's files, and numbers them. Two programs that compile it at once then write
     one file for both, and the machine code that a third one loads takes other arguments than it is given; or the later
     one's index forgets what the earlier one compiled. A file named by what it holds needs no index.
     """

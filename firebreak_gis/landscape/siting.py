@@ -16,12 +16,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.progress import silent
+from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     import xarray as xr
 
+#: Cells of which crests are sought together.
+_TOGETHER = 250_000
 #: Largest strength that is taken for meant.
 _STRONGEST = 10.0
 
@@ -262,16 +266,41 @@ def crests(height: np.ndarray, cell_size: float, scales: tuple[float, ...], flan
 
 
 def _crest(height: np.ndarray, sigma: float, drop: float) -> np.ndarray:
-    """Crests of one scale in cells; `drop` is the fall over a cell at that distance from the crest."""
-    from scipy import ndimage
+    """Crests of one scale in cells; `drop` is the fall over a cell at that distance from the crest.
 
-    # Beyond the border the terrain goes on as it falls, so that the border is no ridge.
+    Found band by band of rows, on several threads, each with the rows around it as far as smoothing reaches.
+    """
+    rows, cols = height.shape
     margin = int(np.ceil(4.0 * sigma))
-    wide = np.pad(height, margin, mode="reflect", reflect_type="odd") if min(height.shape) > 1 else height
-    inner = np.s_[margin:-margin, margin:-margin] if min(height.shape) > 1 else np.s_[:, :]
+    step = max(_TOGETHER // cols, 4 * margin, 1)  # what is smoothed twice is a small part
+    found = np.empty(height.shape, bool)
 
-    def smooth(*order: int) -> np.ndarray:
-        return np.asarray(ndimage.gaussian_filter(wide, sigma, order=order, mode="nearest")[inner])
+    def work(first: int) -> None:
+        top, bottom = max(first - margin, 0), min(first + step + margin, rows)
+        # Beyond the border the terrain goes on as it falls, so that the border is no ridge.
+        beyond = (margin - (first - top), margin - (bottom - min(first + step, rows)))
+        part = height[top:bottom]
+        if min(height.shape) > 1:
+            part = np.pad(part, (beyond, (margin, margin)), mode="reflect", reflect_type="odd")
+            inner = np.s_[margin:-margin, margin:-margin]
+        else:
+            inner = np.s_[first - top : first - top + step, 0:cols]
+        found[first : first + step] = _crest_of(part, sigma, drop, inner)
+
+    run_pieces(work, range(0, rows, step), threads=None, progress=silent, message="crests")
+    return found
+
+
+def _crest_of(height: np.ndarray, sigma: float, drop: float, inner: tuple[slice, slice]) -> np.ndarray:
+    """Crests in the inner part of a terrain."""
+    from scipy.ndimage import gaussian_filter1d
+
+    # Along columns, then along rows, as `gaussian_filter` does; the first are made once.
+    down_by = [gaussian_filter1d(height, sigma, axis=0, order=order, mode="nearest") for order in range(3)]
+
+    def smooth(down: int, right: int) -> np.ndarray:
+        across = down_by[down][inner[0]]
+        return np.asarray(gaussian_filter1d(across, sigma, axis=1, order=right, mode="nearest")[:, inner[1]])
 
     down, right = smooth(1, 0), smooth(0, 1)
     rows, cols, both = smooth(2, 0), smooth(0, 2), smooth(1, 1)

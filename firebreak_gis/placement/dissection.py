@@ -8,7 +8,6 @@ and for ends of several sizes.
 
 from __future__ import annotations
 
-import heapq
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -357,35 +356,14 @@ def sequence(saved: Sequence[float], cost: Sequence[float], parent: Sequence[int
     list of int
         Positions of the walls.
     """
-    n = len(saved)
-    children: list[list[int]] = [[] for _ in range(n)]
-    for i in range(n):
-        if parent[i] >= 0:
-            children[parent[i]].append(i)
-    # A group: what a unit of money saves, negative; its first wall; what it saves and costs; its last wall.
-    groups: list[list[tuple[float, int, float, float, int]]] = [[] for _ in range(n)]
-    roots: list[tuple[float, int, float, float, int]] = []
-    following = [-1] * n  # the next wall of the same group
-    for i in range(n - 1, -1, -1):
-        heap: list[tuple[float, int, float, float, int]] = []
-        for child in children[i]:
-            if len(groups[child]) > len(heap):
-                heap, groups[child] = groups[child], heap
-            for group in groups[child]:
-                heapq.heappush(heap, group)
-            groups[child] = []
-        gain, price, last = saved[i], cost[i], i
-        while heap and heap[0][2] * price > gain * heap[0][3]:
-            group = heapq.heappop(heap)
-            following[last] = group[1]
-            gain, price, last = gain + group[2], price + group[3], group[4]
-        heapq.heappush(heap, (-gain / price if price > 0 else -np.inf, i, gain, price, last))
-        groups[i] = heap
-        if parent[i] < 0:
-            roots += heap
+    from firebreak_gis.kernels.precedence import precedence
+
+    given = (np.asarray(each, kind) for each, kind in ((saved, float), (cost, float), (parent, np.int64)))
+    ratio, first, following = precedence(*given)
+    starts = np.flatnonzero(first)
+    following = following.tolist()
     order = []
-    for _, first, _, _, _ in sorted(roots):
-        wall = first
+    for wall in starts[np.argsort(ratio[starts], kind="stable")].tolist():
         while wall >= 0:
             order.append(wall)
             wall = following[wall]

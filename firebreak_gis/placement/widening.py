@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -47,31 +48,20 @@ def around(cells: np.ndarray, shape: tuple[int, int], width: int, boundary: Boun
     """
     if width == 1:
         return cells
-    wall = _squares(cells, shape, width, boundary)[0]
-    return np.asarray(wall[_new(wall, shape[0] * shape[1])])
+    return _widened(cells, np.array([cells.size]), shape, width, boundary, np.ones(shape[0] * shape[1], bool))[0]
 
 
-def _squares(
-    cells: np.ndarray, shape: tuple[int, int], width: int, boundary: Boundary
+def _widened(
+    cells: np.ndarray, ends: np.ndarray, shape: tuple[int, int], width: int, boundary: Boundary, free: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Cells of the square around each cell, the nearest first, and the position in `cells` that each is from."""
+    """As `kernels.widening.widened`: of the square around each cell of a line the nearest cells first."""
+    from firebreak_gis.kernels.widening import widened
+
     steps = sorted((abs(r) + abs(c), r, c) for r in offsets(width) for c in offsets(width))
-    row, col = np.divmod(cells[:, None], shape[1])
-    row = row + np.array([r for _, r, _ in steps])
-    col = col + np.array([c for _, _, c in steps])
-    inside = np.ones(row.shape, bool)
-    if boundary == "open":
-        inside = (row >= 0) & (row < shape[0]) & (col >= 0) & (col < shape[1])
-    wall: np.ndarray = ((row % shape[0]) * shape[1] + col % shape[1])[inside]
-    return wall, np.nonzero(inside)[0]
-
-
-def _new(cells: np.ndarray, n_cells: int) -> np.ndarray:
-    """Whether each of some cells is there for the first time."""
-    number = np.arange(cells.size)
-    first = np.empty(n_cells, np.int64)
-    first[cells[::-1]] = number[::-1]  # of equal cells the last that is written stays
-    return np.asarray(first[cells] == number)
+    _, down, across = np.array(steps, np.int64).T.copy()
+    return widened(  # type: ignore[no-any-return]
+        cells.astype(np.int64), ends, down, across, *shape, boundary == "periodic", free
+    )
 
 
 def wall_cost(cost: np.ndarray, width: int, boundary: Boundary) -> np.ndarray:
@@ -101,15 +91,12 @@ def walls(
         The new cells of each wall (fuel that may be cut), and their cost.
     """
     free = (network.burnable & ~stakes.protected).ravel()
-    cells = np.concatenate([*lines, np.zeros(0, np.int64)]).astype(np.int64)
-    wall, at = _squares(cells, network.shape, width, network.boundary)
-    owner = np.repeat(np.arange(len(lines)), [line.size for line in lines])[at]
-    wall, owner = wall[free[wall]], owner[free[wall]]
-    new = _new(wall, free.size)
-    wall, owner = wall[new], owner[new]
-    ends = np.cumsum(np.bincount(owner, minlength=len(lines))).tolist()
-    costs = np.bincount(owner, stakes.cost.ravel()[wall], minlength=len(lines))
-    return [wall[start:end] for start, end in zip([0, *ends], ends, strict=False)], costs.tolist()
+    cells = np.concatenate([*lines, np.zeros(0, np.int64)])
+    ends = np.cumsum(np.array([line.size for line in lines], np.int64))
+    wall, until = _widened(cells, ends, network.shape, width, network.boundary, free)
+    owner = np.repeat(np.arange(until.size), np.diff(until, prepend=0))
+    costs = np.bincount(owner, stakes.cost.ravel()[wall], minlength=until.size)
+    return [wall[start:stop] for start, stop in pairwise([0, *until.tolist()])], costs.tolist()
 
 
 def best_width(

@@ -14,20 +14,19 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from firebreak_gis.landscape.lines import LineBreaks, on_cells
-from firebreak_gis.lattice import NEVER
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.durations import ENDLESS
 from firebreak_gis.simulation.embers import nothing_flies, what_flies, wind_of
 from firebreak_gis.simulation.engine import in_use, ranges, spread
 from firebreak_gis.simulation.holding import build_walls, cleared_ground, strongest
+from firebreak_gis.simulation.laid_out import THRESHOLDS, clock_of
 from firebreak_gis.simulation.products import Products, add_up, in_cells, new_tally, own_sums, part_of, take_part
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from firebreak_gis.kernels.arrival import Clock, Workspace
-    from firebreak_gis.kernels.draws import Thresholds
+    from firebreak_gis.kernels.arrival import Workspace
     from firebreak_gis.kernels.tally import Tally
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.ignitions import Ignitions
@@ -289,7 +288,6 @@ def made_ready(
     grid_steps = steps(network.shape, periodic=periodic, **place)
     called = request.called
     crews = None if called is None else called.arrival(network.grid, request.holding.length)
-    laid = _Laid()
     for group in groups_of(network, weather, n_runs=n_runs, first_run=first_run, seed=seed, chosen=chosen):
         intensity = _intensity(group, request, flame_lengths)
         walls = build_walls(
@@ -315,8 +313,17 @@ def made_ready(
                 times=group.times,
                 winds=group.winds or [wind_of(request.embers, group.network)],
             )
-        clock, span = clock_of(group, longest, embers=request.embers is not None)
-        given = (laid.thresholds(group), keys["edges"], grid_steps, clock, starts, walls, cleared, flying)
+        clock, span = clock_of(group.times, group.starts, longest, embers=request.embers is not None)
+        given = (
+            THRESHOLDS.of([group.network.probability]),
+            keys["edges"],
+            grid_steps,
+            clock,
+            starts,
+            walls,
+            cleared,
+            flying,
+        )
         yield Ready(group, given, span, intensity)
 
 
@@ -375,46 +382,6 @@ def _intensity(group: Group, request: FireRequest, flame_lengths: Sequence[float
     group.network.require_times(what)
     each = [strongest(group.network, what, times) for times in group.times]
     return np.asarray(sum(each) / np.float32(len(each)), np.float32)
-
-
-def clock_of(group: Group, longest: int, *, embers: bool) -> tuple[Clock, int]:
-    """Times as kernels read them, and how many buckets ahead a step leads at most; `longest` run [s]."""
-    from firebreak_gis.kernels.arrival import Clock
-    from firebreak_gis.kernels.embers import SOONEST
-
-    if not group.times:  # all that matters is that fire comes
-        return Clock(np.ones(8, np.uint32), np.zeros(0, np.uint64), np.uint64(0)), 2
-    n_cells = group.network.burnable.size
-    # Steps that begin after the last fire has ended are not needed.
-    n_steps = max(int(np.count_nonzero(group.starts < longest)), 1)
-    seconds = np.empty((n_steps, n_cells, 8), np.uint32)
-    least, most = NEVER, 1
-    for laid, times in zip(seconds, group.times[:n_steps], strict=True):
-        laid[:] = times.reshape(8, n_cells).T
-        moves = times[times != NEVER]
-        if moves.size:
-            least, most = min(least, int(moves.min())), max(most, int(moves.max()))
-    if embers:
-        least = min(least, SOONEST)
-    shift = max(least.bit_length() - 1, 0) if least < NEVER else 0
-    clock = Clock(seconds.ravel(), group.starts[1:n_steps].astype(np.uint64), np.uint64(shift))
-    return clock, min(most, longest) >> shift
-
-
-class _Laid:
-    """What kernels are given of a network, kept while it stays the same."""
-
-    def __init__(self) -> None:
-        self._probability: np.ndarray | None = None
-        self._thresholds: Thresholds | None = None
-
-    def thresholds(self, group: Group) -> Thresholds:
-        from firebreak_gis.kernels.draws import thresholds
-
-        if self._thresholds is None or self._probability is not group.network.probability:
-            self._probability = group.network.probability
-            self._thresholds = thresholds(group.network.probability)
-        return self._thresholds
 
 
 class Spaces:

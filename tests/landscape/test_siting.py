@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy import ndimage
 
 from firebreak_gis import rank, select_breaks, simulate, spread_network
 from firebreak_gis.errors import InputError, ParameterError
+from firebreak_gis.landscape import siting
 from firebreak_gis.landscape.siting import (
     Siting,
     beside,
@@ -51,6 +53,29 @@ def test_a_crest_counts_by_its_flanks():
         height = np.zeros((60, 1)) - 0.5 * bend * x**2
         assert crests(height, CELL, (200.0,), flank * 0.98)[30].tolist() == [i == 40 for i in range(81)]
         assert not crests(height, CELL, (200.0,), flank * 1.02).any()
+
+
+@pytest.mark.parametrize("shape", [(70, 40), (3, 9), (1, 30), (30, 1)])
+@pytest.mark.parametrize("sigma", [1.0, 3.0])
+def test_crests_by_bands_are_those_of_the_whole(shape, sigma, monkeypatch):
+    height = ndimage.gaussian_filter(np.random.default_rng(3).standard_normal(shape), 2.0) * 200
+    margin = int(np.ceil(4.0 * sigma))
+    whole = np.pad(height, margin, mode="reflect", reflect_type="odd") if min(shape) > 1 else height
+    inner = np.s_[margin:-margin, margin:-margin] if min(shape) > 1 else np.s_[:, :]
+    down, right, rows, cols, both = (
+        ndimage.gaussian_filter(whole, sigma, order=order, mode="nearest")[inner]
+        for order in ((1, 0), (0, 1), (2, 0), (0, 2), (1, 1))
+    )
+    bends, ways = np.linalg.eigh(np.stack([rows, both, both, cols], axis=-1).reshape(*shape, 2, 2))
+    bend, across = bends[..., 0], ways[..., :, 0]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        away = -(down * across[..., 0] + right * across[..., 1]) / bend
+        step = np.abs(away) * np.abs(across).max(axis=-1)
+    clear = (np.abs(step - 0.5) > 1e-6) & (np.abs(bend) > 1e-9)
+    monkeypatch.setattr(siting, "_TOGETHER", 1)
+    found = crests(height, 1.0, (sigma,), 0.0)
+    assert (found == ((step <= 0.5) & (bend < 0.0)))[clear].all()
+    assert clear.mean() > 0.5
 
 
 def test_crests_go_on_over_saddles_and_not_along_the_border():
