@@ -38,7 +38,7 @@ def _meld(ratio: np.ndarray, left: np.ndarray, right: np.ndarray, a: int, b: int
 
 
 @kernel
-def precedence(saved: np.ndarray, cost: np.ndarray, parent: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def grouped(saved: np.ndarray, cost: np.ndarray, parent: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Join walls to groups that are built without a break; see `placement.dissection.sequence`.
 
     Parameters

@@ -356,10 +356,10 @@ def sequence(saved: Sequence[float], cost: Sequence[float], parent: Sequence[int
     list of int
         Positions of the walls.
     """
-    from firebreak_gis.kernels.precedence import precedence
+    from firebreak_gis.kernels.precedence import grouped
 
     given = (np.asarray(each, kind) for each, kind in ((saved, float), (cost, float), (parent, np.int64)))
-    ratio, first, following = precedence(*given)
+    ratio, first, following = grouped(*given)
     starts = np.flatnonzero(first)
     following = following.tolist()
     order = []
