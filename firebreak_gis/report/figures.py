@@ -35,6 +35,8 @@ _DATES: dict[str, dict[str, None]] = {
     "svg": {"Date": None},
     "pdf": {"CreationDate": None},
 }
+#: Most cells along the longer side of a small picture.
+_LONGEST = 1500
 NO_FUEL = "#e4e4e4"
 WATER = "#c6dbe8"
 
@@ -134,6 +136,17 @@ def show(axes: Axes, values: np.ndarray, grid: Grid, **options: Any) -> Any:
     """Draw a (rows, cols) array on map axes."""
     left, bottom, right, top = extent(grid)
     return axes.imshow(values, extent=(left, right, bottom, top), interpolation="nearest", **options)
+
+
+def thin(values: np.ndarray) -> np.ndarray:
+    """Every n-th cell, so that the longer side has at most 1,500."""
+    step = thinning(values.shape[:2])
+    return values[::step, ::step]
+
+
+def thinning(shape: tuple[int, ...]) -> int:
+    """Which n-th cell of a grid is shown where it is thinned."""
+    return -(-max(shape) // _LONGEST)
 
 
 def show_classes(axes: Axes, values: np.ndarray, grid: Grid, name: str) -> None:

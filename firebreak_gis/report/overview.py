@@ -21,6 +21,8 @@ from firebreak_gis.report.figures import (
     ramp,
     show,
     show_classes,
+    thin,
+    thinning,
 )
 
 if TYPE_CHECKING:
@@ -70,12 +72,14 @@ def overview_figure(
     figure.suptitle(title, fontsize=13, fontweight="bold")
     caption_under(figure, caption, 200)
     axes = figure.subplots(2, 3)
-    shade = hillshade(landscape["elevation"].to_numpy().astype(float), grid.cell_size)
+    # Six small maps: what their pictures do not show of a large one need not be drawn.
+    elevation = thin(landscape["elevation"].to_numpy())
+    shade = hillshade(elevation.astype(float), grid.cell_size * thinning(grid.shape))
     _terrain(axes[0, 0], landscape, grid, shade)
     map_axes(axes[0, 1], grid, "Vegetation type")
-    show_classes(axes[0, 1], landscape["vegetation"].to_numpy(), grid, "vegetation")
+    show_classes(axes[0, 1], thin(landscape["vegetation"].to_numpy()), grid, "vegetation")
     map_axes(axes[0, 2], grid, "Vegetation density")
-    show_classes(axes[0, 2], landscape["density"].to_numpy(), grid, "density")
+    show_classes(axes[0, 2], thin(landscape["density"].to_numpy()), grid, "density")
     # One scale for both maps, no higher than needed, so that rare fires still show.
     top = max(0.1, float(np.ceil(10 * np.nanmax(before["burn_frequency"].to_numpy(), initial=0.0)) / 10))
     _frequency(axes[1, 0], before, grid, shade, "Burn frequency without breaks", top)
@@ -88,9 +92,9 @@ def overview_figure(
 
 def _terrain(axes: Axes, landscape: xr.Dataset, grid: Grid, shade: np.ndarray) -> None:
     map_axes(axes, grid, "Terrain" + ("" if grid.crs is None else " (axes in km)"))
-    elevation = landscape["elevation"].to_numpy()
+    elevation = thin(landscape["elevation"].to_numpy())
     # Flat water at the foot of the range would otherwise look like low ground.
-    water = (elevation <= 0.0) & (landscape["vegetation"].to_numpy() == 0)
+    water = (elevation <= 0.0) & (thin(landscape["vegetation"].to_numpy()) == 0)
     image = show(axes, np.where(water, np.nan, elevation), grid, cmap=ramp("elevation"))
     show(axes, np.where(water, np.nan, shade), grid, cmap="gray", alpha=0.35, vmin=0, vmax=1)
     axes.set_facecolor(WATER)
@@ -108,7 +112,7 @@ def _frequency(
     top: float,
 ) -> None:
     map_axes(axes, grid, title)
-    frequency = burns["burn_frequency"].to_numpy()
+    frequency = thin(burns["burn_frequency"].to_numpy())
     sizes = burns["fire_size"].to_numpy()
     n_burnable = max(int(burns.attrs["n_burnable"]), 1)
     show(axes, shade, grid, cmap="gray", alpha=0.35, vmin=0, vmax=1)
@@ -129,7 +133,7 @@ def _lay(axes: Axes, breaks: xr.DataArray, lines: gpd.GeoDataFrame | None, grid:
 
     handle: Patch | Line2D
     if lines is None:
-        draw_breaks(axes, breaks.to_numpy(), grid)
+        draw_breaks(axes, thin(breaks.to_numpy()), grid)
         count = int(np.count_nonzero(breaks.to_numpy()))
         handle = Patch(color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {100 * count / n_burnable:.1f} %")
     else:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.report.figures import hillshade, ramp
+from firebreak_gis.report.figures import hillshade, ramp, thin, thinning
 from firebreak_gis.report.page.content import Picture
 from firebreak_gis.schema import VARIABLES
 
@@ -17,15 +17,7 @@ if TYPE_CHECKING:
 
     import geopandas as gpd
 
-#: Most cells along the longer side of a picture; larger maps are thinned out.
-_LONGEST = 1500
 _STEPS = 6
-
-
-def thin(values: np.ndarray) -> np.ndarray:
-    """Every n-th cell, so that the longer side has at most 1,500."""
-    step = -(-max(values.shape[:2]) // _LONGEST)
-    return values[::step, ::step]
 
 
 def of_classes(
@@ -76,7 +68,7 @@ def of_numbers(
     form
         Text of a number of the legend.
     """
-    numbers = thin(np.asarray(values, dtype=np.float64))
+    numbers = thin(np.asarray(values)).astype(np.float64)
     known = numbers[np.isfinite(numbers)]
     low = float(known.min()) if low is None and known.size else (low or 0.0)
     high = float(known.max()) if high is None and known.size else (1.0 if high is None else high)
@@ -93,7 +85,7 @@ def of_numbers(
 
 def of_terrain(elevation: np.ndarray, cell_size: float, water: np.ndarray | None = None) -> Picture:
     """Shaded terrain in grey, the ground of every map; cells of `water` are transparent."""
-    shade = thin(hillshade(np.asarray(elevation, dtype=np.float64), cell_size))
+    shade = hillshade(thin(elevation).astype(np.float64), cell_size * thinning(elevation.shape))
     grey = np.round(np.clip(np.nan_to_num(shade, nan=0.6), 0.0, 1.0) * 47) / 47
     level = (96 + 150 * grey).astype(np.uint8)
     image = np.stack([level, level, level, np.full_like(level, 255)], axis=-1)

@@ -10,6 +10,7 @@ import numpy as np
 
 from firebreak_gis.breaks import Budget
 from firebreak_gis.grid import Grid, crs_name
+from firebreak_gis.report.figures import thin
 from firebreak_gis.report.page import pictures
 from firebreak_gis.report.page.content import Curve, Outlines, Page, Picture, Row
 
@@ -196,8 +197,10 @@ def _pictures(parts: Mapping[str, Any], grid: Grid) -> tuple[Picture, ...]:
     shown: list[Picture] = []
     if "elevation.tif" in parts:
         elevation = parts["elevation.tif"].to_numpy()
-        # Flat ground without fuel at the foot of the range is the sea, as in the overview.
-        water = (elevation <= 0.0) & (parts["vegetation.tif"].to_numpy() == 0) if "vegetation.tif" in parts else None
+        water = None
+        if "vegetation.tif" in parts:
+            # Flat ground without fuel at the foot of the range is the sea, as in the overview.
+            water = (thin(elevation) <= 0.0) & (thin(parts["vegetation.tif"].to_numpy()) == 0)
         shown.append(pictures.of_terrain(elevation, grid.cell_size, water))
         shown.append(
             pictures.of_numbers(
@@ -213,7 +216,7 @@ def _pictures(parts: Mapping[str, Any], grid: Grid) -> tuple[Picture, ...]:
         shown.append(
             pictures.of_numbers(
                 "burn_frequency",
-                np.where(values > 0, values, np.nan),
+                np.where(thin(values) > 0, thin(values), np.nan),
                 key=key,
                 label=label,
                 low=0.0,
@@ -224,7 +227,7 @@ def _pictures(parts: Mapping[str, Any], grid: Grid) -> tuple[Picture, ...]:
         )
     for file, data in parts.items():
         if file.startswith("arrival") and hasattr(data, "to_numpy"):
-            hours = data.to_numpy().astype(np.float64) / 3600.0
+            hours = thin(data.to_numpy()).astype(np.float64) / 3600.0
             shown.append(
                 pictures.of_numbers(
                     "burn_frequency",
