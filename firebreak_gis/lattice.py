@@ -31,10 +31,10 @@ NEVER: Final = 0xFFFFFFFF
 LONGEST: Final = 1 << 24
 
 
-def close_boundary(values: np.ndarray) -> None:
-    """Set the edges of (8, rows, cols) that leave an open grid to 0, in place."""
+def close_boundary(values: np.ndarray, closed: float = 0) -> None:
+    """Set the edges of (8, rows, cols) that leave an open grid to 0, or what tells that they are closed, in place."""
     for d in range(8):
         if ROW_STEP[d]:
-            values[d, -1 if ROW_STEP[d] > 0 else 0, :] = 0.0
+            values[d, -1 if ROW_STEP[d] > 0 else 0, :] = closed
         if COL_STEP[d]:
-            values[d, :, -1 if COL_STEP[d] > 0 else 0] = 0.0
+            values[d, :, -1 if COL_STEP[d] > 0 else 0] = closed

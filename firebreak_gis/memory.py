@@ -67,6 +67,10 @@ _STAGES: Mapping[str, tuple[Need, ...]] = {
 }
 
 
+#: Of those that keep networks of large maps on the disk, what grows with the map.
+_AWAY: Mapping[str, tuple[Need, ...]] = {"plan": (Need(900_000_000, 200, 0),)}
+
+
 def bytes_for(
     command: str,
     cells: int,
@@ -96,7 +100,8 @@ def bytes_for(
     window
         Side of the windows of the map that are read in turn; None: the map is read as a whole.
     blocks
-        Whether a network is made by blocks of `BLOCK_CELLS`, or read by them while its probabilities stay on the disk.
+        Whether a network is made by blocks of `BLOCK_CELLS`, or read by them while its probabilities stay on the disk;
+        of a plan, whether its networks lie there.
     workers
         Processes of this machine that burn, each with the data in its own memory; none: the threads of this one.
     threads
@@ -106,11 +111,11 @@ def bytes_for(
     if window is not None:
         in_windows = min(window**2, cells) * _WINDOW
         return _COMPILED + cells * _MAP + n_threads * in_windows + others * (_COMPILED + in_windows)
-    needed = []
+    away = blocks and cells > BLOCK_CELLS
+    needed = [stage.bytes(cells, n_threads) for stage in _AWAY.get(command, ()) if away]
     for stage in _STAGES[command]:
         together = min(cells, BLOCK_CELLS) if blocks else cells
         needed.append(stage.bytes(together, n_threads) + clock * together * _times(stage))
-    away = blocks and cells > BLOCK_CELLS
     for name in (method or "").split(","):
         if name:
             cell, thread = memory_of("ranking", name, large=cells > BLOCK_CELLS)

@@ -78,6 +78,7 @@ def foresee(
     *,
     method: str | None = None,
     clock: bool = False,
+    away: bool = False,
 ) -> Foreseen:
     """Resolve the grid from the headers; refuse what will fit neither into memory nor on the disk.
 
@@ -93,6 +94,8 @@ def foresee(
         Ranking of a plan; None if layers are only aligned.
     clock
         Whether its fires need travel times.
+    away
+        Whether its networks lie on the disk where the map is large, see `blocks.away`.
 
     Raises
     ------
@@ -111,7 +114,8 @@ def foresee(
     needed = memory.bytes_for("align", 0) + (found.memory_by_parts if method is None else found.memory)
     if method is not None:
         workers = click.get_current_context().params.get("workers")
-        needed = max(needed, memory.bytes_for("plan", rows * cols, method=method, clock=clock, workers=workers))
+        about: dict[str, Any] = {"method": method, "clock": clock, "workers": workers, "blocks": away}
+        needed = max(needed, memory.bytes_for("plan", rows * cols, **about))
     what = f"a landscape of {rows} x {cols} cells" if method is None else f"a plan of {rows} x {cols} cells by {method}"
     memory.require_memory(needed, what, max_memory=layers.max_memory)
     size = (_LAYER_BYTES if method is None else _PLAN_BYTES) * rows * cols + _OTHER_BYTES

@@ -129,6 +129,13 @@ def digits_of(p: float) -> np.uint64:
 
 
 @kernel
+def each_digits(chance: np.ndarray, out: np.ndarray) -> None:
+    """Set `out`, (n,) uint32, to the thresholds of chances, (n,) float64."""
+    for i in range(chance.size):
+        out[i] = digits_of(chance[i]) if chance[i] > 0.0 else np.uint64(0)
+
+
+@kernel
 def _fill_thresholds(probability: np.ndarray, top: np.ndarray, rest: np.ndarray) -> None:
     for cell in range(top.shape[0]):
         first, second, third, last = np.uint64(0), np.uint64(0), np.uint64(0), np.uint64(0)

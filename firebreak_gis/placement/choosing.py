@@ -45,8 +45,10 @@ class Choice(Generic[T]):
 
     def attempt(self, design: T) -> float:
         """Value that the fires take where the design is built."""
-        self._tried.append((self._loss(design), design))
-        return self._tried[-1][0]
+        lost = self._loss(design)
+        # More than the best two are not looked at again.
+        self._tried = sorted([*self._tried, (lost, design)], key=lambda each: each[0])[:2]
+        return lost
 
     def rising(self, designs: Iterable[T]) -> T:
         """Try designs in turn until two in a row are worse than the best, which is returned."""
@@ -62,9 +64,8 @@ class Choice(Generic[T]):
 
     def chosen(self) -> T:
         """The design that loses least; the best two meet other fires as well, since of many the first looks better."""
-        last = sorted(self._tried, key=lambda each: each[0])[:2]
-        whole = [lost + self._loss(design, self.n_runs, 2) for lost, design in last]
-        return last[int(np.argmin(whole))][1]
+        whole = [lost + self._loss(design, self.n_runs, 2) for lost, design in self._tried]
+        return self._tried[int(np.argmin(whole))][1]
 
     def _loss(self, design: T, first: int = 0, times: int = 1) -> float:
         lost = self._trial.losses(self._laid(design), n_runs=times * self.n_runs, first_run=first)

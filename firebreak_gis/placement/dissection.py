@@ -35,7 +35,7 @@ _LARGE = 20_000
 _BATCH = 20_000
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Cut:
     """One wall of the tree.
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +14,7 @@ from affine import Affine
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.stakes import Stakes
+from firebreak_gis.threads import thread_count
 
 if TYPE_CHECKING:
     Turn = Callable[[np.ndarray], np.ndarray]
@@ -42,7 +45,9 @@ def in_standard_orientation(
     numpy.ndarray
         (rows, cols) of the map as it lies.
     """
-    symmetry = min(_SYMMETRIES, key=lambda s: _digest(network, stakes, s))
+    with ThreadPoolExecutor(thread_count(None)) as pool:
+        digests = list(pool.map(partial(_digest, network, stakes), _SYMMETRIES))
+    symmetry = _SYMMETRIES[digests.index(min(digests))]
     if symmetry == (False, 0):
         return method(network, stakes, _turn(symmetry))
     turn = _turn(symmetry)

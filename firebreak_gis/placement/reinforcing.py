@@ -161,7 +161,7 @@ def reinforced(
     cost = np.maximum(stakes.cost.ravel(), 1e-300)
     cells, costs = _parts(lines, network, stakes, trial, narrowest, length * money * narrowest)
     free = (network.burnable & ~stakes.protected).ravel().copy()
-    numbers = np.full(free.size, len(cells))
+    numbers = np.full(free.size, len(cells), np.int32)
     for k, each in enumerate(cells):
         free[each], numbers[each] = False, k
     layers = [[each] for each in cells]
@@ -211,7 +211,7 @@ def most_passed(
     Parameters as in `reinforced`.
     """
     cells, costs = _parts(lines, network, stakes, trial, width, _MORE * money)
-    numbers = np.full(network.burnable.size, len(cells))
+    numbers = np.full(network.burnable.size, len(cells), np.int32)
     for k, each in enumerate(cells):
         numbers[each] = k
     built: list[int] = []

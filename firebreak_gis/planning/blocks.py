@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.landscape.folder import LandscapeFolder
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.planning.request import PlanRequest
     from firebreak_gis.planning.weather import SpreadRequest
     from firebreak_gis.progress import Progress
 
@@ -41,8 +42,8 @@ def network_of(
         Landscapes of more cells are large, and about so many are in a block; None: `memory.BLOCK_CELLS`.
     """
     from firebreak_gis.files.scratch import on_disk
+    from firebreak_gis.simulation.ground import network_of_planes
     from firebreak_gis.spread import spread_network
-    from firebreak_gis.spread.raster import network_of_planes
 
     rows, cols = landscape["burnable"].shape
     halo, together = plugins.halo_of(model), cells or memory.BLOCK_CELLS
@@ -67,6 +68,15 @@ def network_of(
     burnable = np.array(planes.pop("burnable"))  # looked at often
     grid = Grid.of(landscape["burnable"])
     return network_of_planes(planes.pop("probability"), burnable, grid, provenance=provenance, **planes)
+
+
+def away(request: PlanRequest) -> bool:
+    """Whether a plan of a large map has its networks on the disk, and burns fires with a clock by windows."""
+    from firebreak_gis.planning.judging import judging
+    from firebreak_gis.simulation.ground_fires import stays_near
+
+    one_wind = request.weather.read() is None and plugins.halo_of(request.spread.model) is not None
+    return one_wind and stays_near(judging(request.fires, timed=True, timeless=request.timeless).fires)
 
 
 class NetworkBlocks:

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.memory import BLOCK_CELLS
-from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.simulation.fires import burn
-from firebreak_gis.simulation.ground import Ground
+from firebreak_gis.simulation.ground import Ground, part_of
 from firebreak_gis.simulation.windows import breaks_in, burn_windows
 
 if TYPE_CHECKING:
@@ -19,6 +18,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from firebreak_gis.grid import Grid
+    from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.progress import Progress
     from firebreak_gis.simulation.request import FireRequest
     from firebreak_gis.simulation.weather import Weather
@@ -67,15 +67,7 @@ class MapInMemory:
         whole = self.network
         if whole.boundary != "open":
             raise ParameterError("a map that is a torus has no windows; burn it as a whole")
-        part = SpreadNetwork(
-            whole.probability[:, rows, cols],
-            burnable=whole.burnable[rows, cols],
-            crs=whole.grid.crs,
-            transform=window.grid(whole.grid).transform,
-            provenance=whole.provenance,
-            travel_time=None if whole.travel_time is None else whole.travel_time[:, rows, cols],
-            heat=None if whole.heat is None else whole.heat[rows, cols],
-        )
+        part = part_of(whole, rows, cols, window.grid(whole.grid))
         barriers = None if self._barred is None else self._barred[rows, cols]
         return Ground(part, None, barriers), breaks_in(window, self._cut, whole.grid)
 
@@ -96,7 +88,14 @@ def by_windows(ground: Ground, request: FireRequest) -> bool:
         and network.timed
         and network.boundary == "open"
         and ground.weather is None
-        and request.duration is not None
+        and stays_near(request)
+    )
+
+
+def stays_near(request: FireRequest) -> bool:
+    """Whether fires have an end, and nothing far from them must be known: they can burn by windows."""
+    return (
+        request.duration is not None
         and not request.duration.endless
         and request.holding.share is not None
         and request.called is None

@@ -371,7 +371,8 @@ def cleared_ground(
 
 def _digits(chance: np.ndarray) -> np.ndarray:
     """Chances as `draws.digits_of` tells them, (n_cells,) uint32."""
-    from firebreak_gis.kernels.draws import CERTAIN
+    from firebreak_gis.kernels.draws import each_digits
 
-    whole = np.minimum(np.floor(chance * 2.0**32 + 0.5), 2.0**32 - 2)
-    return np.where(chance >= 1.0, CERTAIN, whole).astype(np.uint32).ravel()
+    out = np.empty(chance.size, np.uint32)
+    each_digits(chance.ravel(), out)
+    return out

@@ -23,6 +23,7 @@ from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.plugins import parameter
 from firebreak_gis.progress import silent
 from firebreak_gis.rasters import VariableFile, open_raster, read_variables, variable_bands
+from firebreak_gis.simulation.ground import network_of_planes
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -68,32 +69,6 @@ def read_network(path: str | Path) -> SpreadNetwork:
     True
     """
     return NetworkFile(path).read()
-
-
-def network_of_planes(
-    probability: np.ndarray,
-    burnable: np.ndarray,
-    grid: Grid,
-    *,
-    provenance: dict[str, Any] | None = None,
-    travel_time: np.ndarray | None = None,
-    heat: np.ndarray | None = None,
-) -> SpreadNetwork:
-    """An open network of planes that were taken from networks, block by block: not looked at again, and not copied.
-
-    Parameters
-    ----------
-    probability, burnable, grid, provenance, travel_time, heat
-        As `SpreadNetwork` keeps them; the planes become read-only.
-    """
-    network = object.__new__(SpreadNetwork)
-    planes = {"probability": probability, "burnable": burnable, "travel_time": travel_time, "heat": heat}
-    for plane in planes.values():
-        if plane is not None:
-            plane.flags.writeable = False
-    for name, value in {**planes, "boundary": "open", "grid": grid, "provenance": provenance or {}}.items():
-        object.__setattr__(network, name, value)
-    return network
 
 
 class NetworkFile:

@@ -115,6 +115,7 @@ def command(
     legend gives the density. DEM alone may be a FlamMap landscape (.lcp).
     """
     from firebreak_gis.grid import Grid
+    from firebreak_gis.planning.blocks import away
     from firebreak_gis.planning.goals import goals_told
     from firebreak_gis.planning.pipeline import make_plan
     from firebreak_gis.progress import part
@@ -123,7 +124,7 @@ def command(
     require_possible(request)
     inputs = input_files(request.sources)
     how = require_outputs(output, OUTPUTS, inputs)
-    foreseen = foresee(layers, output, session, OUTPUTS, method=design.method, clock=not timeless)
+    foreseen = foresee(layers, output, session, OUTPUTS, method=design.method, clock=not timeless, away=away(request))
     if dry_run:
         rehearse(foreseen, session)
         return

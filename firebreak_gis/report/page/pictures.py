@@ -104,9 +104,9 @@ def png(image: np.ndarray) -> str:
         picture = Image.fromarray(place.reshape(image.shape[:2]).astype(np.uint8), "P")
         palette = colours.view(np.uint8).reshape(-1, 4)
         picture.putpalette(palette[:, :3].tobytes(), "RGB")
-        picture.save(drawn, format="PNG", optimize=True, transparency=palette[:, 3].tobytes())
+        picture.save(drawn, format="PNG", transparency=palette[:, 3].tobytes())
     else:
-        Image.fromarray(image, "RGBA").save(drawn, format="PNG", optimize=True)
+        Image.fromarray(image, "RGBA").save(drawn, format="PNG")
     return "data:image/png;base64," + base64.b64encode(drawn.getvalue()).decode("ascii")
 
 
