@@ -34,7 +34,7 @@ class Borders:
     cell, cell_stretch
         (m,) int64: row-major cut cells and the stretches whose border lies in them or on their rim, each pair once.
     reached
-        (rows, cols) int64: stretch that the cut cell belongs to because it lies between the border and a compartment;
+        (rows, cols) int32: stretch that the cut cell belongs to because it lies between the border and a compartment;
         -1 for cells that separate nothing.
     """
 
@@ -82,7 +82,7 @@ def find_borders(labels: np.ndarray, cut: np.ndarray, *, periodic: bool = False)
     cell, stretch = np.unravel_index(np.unique(key), sizes)
     reached = descend(number, cells, depth, sides, owners, periodic).reshape(-1, 4)
     nearest = np.where(reached < 0, len(pair), reached).min(axis=1, initial=len(pair))
-    of_cells = np.full(cut.shape, -1)
+    of_cells = np.full(cut.shape, -1, np.int32)
     of_cells[cut] = np.where(nearest == len(pair), -1, nearest)
     return Borders(pair, edge, ends, cell, stretch, of_cells)
 

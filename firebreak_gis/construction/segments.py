@@ -164,7 +164,7 @@ def segments_of(
         compartment_value=parts.value_mass,
         score=score,
     )
-    owner, position, order, stage = _settle(pieces, stages)
+    owner, position, order, stage = _settle(pieces, stages, cut.size)
     saved = gains(position, owner, parts.labels.ravel(), parts.links, parts.ignition.ravel(), parts.value.ravel())[
         order
     ]
@@ -187,26 +187,26 @@ def segments_of(
 class _Pieces:
     """Segments before the cells between several of them are settled; the stretches of border come first.
 
-    `sides` (n, 2) compartments, (a, b), (a, 0) or (0, 0); `main` (cells,) nearest segment of cut cells, -1 for others;
-    `cell`, `piece` (m,) all segments that a cut cell may belong to.
+    `sides` (n, 2) compartments, (a, b), (a, 0) or (0, 0); `cut` (k,) cells that are cut, and `main` (k,) the nearest
+    segment of each; `cell`, `piece` (m,) all segments that a cut cell may belong to.
     """
 
     sides: np.ndarray
+    cut: np.ndarray
     main: np.ndarray
     cell: np.ndarray
     piece: np.ndarray
 
     def total(self, plane: np.ndarray) -> np.ndarray:
         """Sum over the nearest cells of each segment."""
-        inside = self.main >= 0
-        return np.bincount(self.main[inside], weights=plane.ravel()[inside], minlength=len(self.sides))
+        return np.bincount(self.main, weights=plane.ravel()[self.cut], minlength=len(self.sides))
 
 
 def _find_pieces(network: SpreadNetwork, parts: Compartments, borders: Borders, cut: np.ndarray) -> _Pieces:
     from scipy import ndimage
 
     loose, n_loose = ndimage.label(cut & (borders.reached < 0), structure=np.ones((3, 3)))
-    main = np.where(loose > 0, len(borders.pair) + loose.astype(np.int64) - 1, borders.reached).ravel()
+    main = np.where(loose > 0, len(borders.pair) + loose - 1, borders.reached).astype(np.int32).ravel()
     cell, compartment = _touches(parts, cut)
     sides = np.concatenate([borders.pair, np.zeros((n_loose, 2), np.int64)])
     own = main[cell] >= len(borders.pair)
@@ -219,7 +219,7 @@ def _find_pieces(network: SpreadNetwork, parts: Compartments, borders: Borders, 
         np.concatenate([inside, borders.cell, near_cell]),
         np.concatenate([main[inside], borders.cell_stretch, near_stretch]),
     )
-    return _Pieces(sides, main, *np.unravel_index(np.unique(key), sizes))
+    return _Pieces(sides, inside, main[inside], *np.unravel_index(np.unique(key), sizes))
 
 
 def _touches(parts: Compartments, cut: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -256,14 +256,16 @@ def _mean_score(network: SpreadNetwork, priority: Plane | None, pieces: _Pieces)
     """Mean finite priority of each segment; -inf for those without."""
     if priority is None:
         return np.zeros(len(pieces.sides))
-    values = network.plane(priority, "priority").astype(np.float64)
+    values = network.plane(priority, "priority").ravel()[pieces.cut].astype(np.float64)
     finite = np.isfinite(values)
-    n = pieces.total(finite)
-    total = pieces.total(np.where(finite, values, 0.0))
+    n = np.bincount(pieces.main[finite], minlength=len(pieces.sides))
+    total = np.bincount(pieces.main[finite], weights=values[finite], minlength=len(pieces.sides))
     return np.where(n > 0, total / np.maximum(n, 1), -np.inf)
 
 
-def _settle(pieces: _Pieces, stages: list[list[int]]) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def _settle(
+    pieces: _Pieces, stages: list[list[int]], n_cells: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Give each cut cell to the segment that is built first of those that it may belong to.
 
     Segments that are left without a cell are not built.
@@ -271,7 +273,7 @@ def _settle(pieces: _Pieces, stages: list[list[int]]) -> tuple[np.ndarray, np.nd
     Returns
     -------
     owner
-        (cells,) segment of each cell, -1 for cells that are not cut.
+        (n_cells,) int32 segment of each cell, -1 for cells that are not cut.
     position
         (n,) place of each segment in the order of construction, also of those that are not built.
     order
@@ -284,11 +286,11 @@ def _settle(pieces: _Pieces, stages: list[list[int]]) -> tuple[np.ndarray, np.nd
     number = np.array([k for k, members in enumerate(stages) for _ in members], dtype=np.int64)
     position = np.empty(n, np.int64)
     position[every] = np.arange(n)
-    best = np.full(pieces.main.size, n)
-    np.minimum.at(best, pieces.cell, position[pieces.piece])
+    best = np.full(n_cells, n, np.int32)
+    np.minimum.at(best, pieces.cell, position[pieces.piece].astype(np.int32))
     built = np.unique(best[best < n])
     stage = np.unique(number[built], return_inverse=True)[1].ravel() + 1
-    return np.append(every, -1)[best], position, every[built], stage
+    return np.append(every, -1).astype(np.int32)[best], position, every[built], stage
 
 
 def slope(network: SpreadNetwork, elevation: Plane | None) -> np.ndarray:
@@ -304,24 +306,21 @@ def _columns(
     network: SpreadNetwork, owner: np.ndarray, order: np.ndarray, price: np.ndarray, slope: np.ndarray
 ) -> dict[str, np.ndarray]:
     """Sizes, costs and slopes of the segments in `order`."""
-    inside = owner >= 0
-    n = int(owner.max(initial=-1)) + 1
-
-    def total(plane: np.ndarray) -> np.ndarray:
-        sums: np.ndarray = np.bincount(owner[inside], weights=plane.ravel()[inside], minlength=n)[order]
-        return sums
-
-    known = np.isfinite(slope)
-    n_known = total(known)
+    inside = np.flatnonzero(owner >= 0)
+    own, steepness = owner[inside], slope.ravel()[inside]
+    n = int(own.max(initial=-1)) + 1
+    cells = np.bincount(own, minlength=n)[order]
+    known = np.isfinite(steepness)
+    n_known = np.bincount(own[known], minlength=n)[order]
+    mean = np.bincount(own[known], weights=steepness[known], minlength=n)[order] / np.maximum(n_known, 1)
     steepest = np.zeros(n)
-    np.maximum.at(steepest, owner[inside], np.nan_to_num(slope).ravel()[inside])
-    cells = np.bincount(owner[inside], minlength=n)[order]
+    np.maximum.at(steepest, own[known], steepness[known])
     return {
         "cells": cells,
         "area_ha": cells * network.grid.cell_area_ha,
-        "mean_slope_deg": np.where(n_known > 0, total(np.where(known, slope, 0.0)) / np.maximum(n_known, 1), np.nan),
+        "mean_slope_deg": np.where(n_known > 0, mean, np.nan),
         "max_slope_deg": np.where(n_known > 0, steepest[order], np.nan),
-        "cost": total(price),
+        "cost": np.bincount(own, weights=price.ravel()[inside], minlength=n)[order],
     }
 
 
@@ -332,21 +331,19 @@ def _holding(network: SpreadNetwork, owner: np.ndarray, order: np.ndarray, cut: 
     if network.heat is None or network.travel_time is None:
         return {}
     hold = holding.Hold(share=None)
-    intensity, trees = holding.fire_before(network, hold)
-    width = holding.widths(cut, network.grid.cell_size)
-    planes = {
+    inside = np.flatnonzero(owner >= 0)
+    intensity, trees = (plane.ravel()[inside] for plane in holding.fire_before(network, hold))
+    width = holding.widths(cut, network.grid.cell_size).ravel()[inside]
+    found = {
         "intensity_kw_m": intensity,
         "flame_length_m": holding.flame_length(intensity),
         "breach": holding.breach(intensity, width, trees=trees),
         "width_wilson_m": holding.width_needed(intensity, trees=trees),
         "width_flames_m": hold.flames * holding.flame_length(intensity),
     }
-    inside = owner >= 0
-    cells = np.maximum(np.bincount(owner[inside]), 1)
-    return {
-        name: (np.bincount(owner[inside], weights=plane.ravel()[inside]) / cells)[order]
-        for name, plane in planes.items()
-    }
+    own = owner[inside]
+    cells = np.maximum(np.bincount(own), 1)
+    return {name: (np.bincount(own, weights=values) / cells)[order] for name, values in found.items()}
 
 
 def _frames(

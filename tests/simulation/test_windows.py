@@ -13,6 +13,7 @@ from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.fires import burn
+from firebreak_gis.simulation.ground import part_of
 from firebreak_gis.simulation.ground_fires import MapInMemory
 from firebreak_gis.simulation.holding import as_hold, stretches
 from firebreak_gis.simulation.request import FireRequest
@@ -37,6 +38,29 @@ def landscape(shape=(150, 171), seed=3):
     breaks[:, ::40] = True
     breaks[::35] = True
     return network, breaks
+
+
+@pytest.mark.parametrize("timed", [False, True])
+def test_a_part_of_a_network_is_the_network_of_the_part(timed):
+    whole, _ = landscape()
+    if not timed:
+        whole = SpreadNetwork(whole.probability, burnable=whole.burnable, transform=whole.grid.transform)
+    window = Window(40, 30, (60, 64), whole.shape)
+    rows, cols = window.slices
+    grid = window.grid(whole.grid)
+    times = {"travel_time": whole.travel_time[:, rows, cols], "heat": whole.heat[rows, cols]} if timed else {}
+    made = SpreadNetwork(
+        whole.probability[:, rows, cols],
+        burnable=whole.burnable[rows, cols],
+        crs=grid.crs,
+        transform=grid.transform,
+        **times,
+    )
+    part = part_of(whole, rows, cols, grid)
+    for name in ("probability", "burnable", "travel_time", "heat"):
+        np.testing.assert_array_equal(getattr(part, name), getattr(made, name))
+    assert (part.grid, part.boundary) == (made.grid, made.boundary)
+    assert not part.probability.flags.writeable
 
 
 FIRES = {
