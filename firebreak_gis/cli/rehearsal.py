@@ -95,7 +95,7 @@ def foresee(
     clock
         Whether its fires need travel times.
     away
-        Whether its networks lie on the disk where the map is large, see `blocks.away`.
+        Whether its networks lie on the disk where the map is large, see `setting.away`.
 
     Raises
     ------

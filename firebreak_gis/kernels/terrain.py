@@ -6,6 +6,11 @@ import numpy as np
 
 from firebreak_gis.kernels.policy import kernel
 from firebreak_gis.lattice import COL_STEP, ROW_STEP, STEP_LENGTH
+from firebreak_gis.progress import silent
+from firebreak_gis.threads import run_pieces
+
+#: Cells whose slopes are found together.
+_TOGETHER = 250_000
 
 
 def uphill_area(height: np.ndarray) -> np.ndarray:
@@ -49,8 +54,18 @@ def horn_slope(height: np.ndarray, cell_size: float) -> np.ndarray:
     -----
     Horn 1981, doi 10.1109/PROC.1981.11918. Cost: one pass.
     """
-    slope = np.degrees(np.arctan(np.hypot(_rise(height, 1), _rise(height, 0)) / (2.0 * cell_size)))
-    return np.asarray(np.where(np.isnan(height), np.nan, slope))
+    rows, cols = height.shape
+    out = np.empty(height.shape)
+    step = max(_TOGETHER // cols, 1)
+
+    def work(first: int) -> None:
+        stop, top = min(first + step, rows), max(first - 1, 0)
+        part = height[top : stop + 1]
+        slope = np.degrees(np.arctan(np.hypot(_rise(part, 1), _rise(part, 0)) / (2.0 * cell_size)))
+        out[first:stop] = np.where(np.isnan(part), np.nan, slope)[first - top : stop - top]
+
+    run_pieces(work, range(0, rows, step), threads=None, progress=silent, message="slopes")
+    return out
 
 
 def _rise(height: np.ndarray, axis: int) -> np.ndarray:

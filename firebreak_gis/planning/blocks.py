@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
     from firebreak_gis.landscape.folder import LandscapeFolder
     from firebreak_gis.network import SpreadNetwork
-    from firebreak_gis.planning.request import PlanRequest
     from firebreak_gis.planning.weather import SpreadRequest
     from firebreak_gis.progress import Progress
 
@@ -68,15 +67,6 @@ def network_of(
     burnable = np.array(planes.pop("burnable"))  # looked at often
     grid = Grid.of(landscape["burnable"])
     return network_of_planes(planes.pop("probability"), burnable, grid, provenance=provenance, **planes)
-
-
-def away(request: PlanRequest) -> bool:
-    """Whether a plan of a large map has its networks on the disk, and burns fires with a clock by windows."""
-    from firebreak_gis.planning.judging import judging
-    from firebreak_gis.simulation.ground_fires import stays_near
-
-    one_wind = request.weather.read() is None and plugins.halo_of(request.spread.model) is not None
-    return one_wind and stays_near(judging(request.fires, timed=True, timeless=request.timeless).fires)
 
 
 class NetworkBlocks:

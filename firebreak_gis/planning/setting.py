@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from firebreak_gis import plugins
 from firebreak_gis.files.scratch import standing_folder
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning.feasibility import feasibility, width_in_cells
-from firebreak_gis.planning.judging import Judging, Scene
+from firebreak_gis.planning.judging import Judging, Scene, judging
 from firebreak_gis.planning.treating import offers_of, priced
 from firebreak_gis.simulation.fires import resolved
+from firebreak_gis.simulation.ground_fires import stays_near
 from firebreak_gis.simulation.ignitions import Ignitions
 
 if TYPE_CHECKING:
@@ -118,6 +120,12 @@ class Setting:
             "roads": self.planes.followed(self.network),
             "seed": self.judged.fires.seed,
         }
+
+
+def away(request: PlanRequest) -> bool:
+    """Whether a plan of a large map has its networks on the disk, and burns fires with a clock by windows."""
+    one_wind = request.weather.read() is None and plugins.halo_of(request.spread.model) is not None
+    return one_wind and stays_near(judging(request.fires, timed=True, timeless=request.timeless).fires)
 
 
 def settle(landscape: xr.Dataset, request: PlanRequest, planes: StakePlanes, *, threads: int | None = None) -> Setting:

@@ -115,9 +115,9 @@ def command(
     legend gives the density. DEM alone may be a FlamMap landscape (.lcp).
     """
     from firebreak_gis.grid import Grid
-    from firebreak_gis.planning.blocks import away
     from firebreak_gis.planning.goals import goals_told
     from firebreak_gis.planning.pipeline import make_plan
+    from firebreak_gis.planning.setting import away
     from firebreak_gis.progress import part
 
     request = PlanRequest(design, spread, fires, at_stake, weather, timeless, calendar, siting, layers, output)
