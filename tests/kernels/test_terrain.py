@@ -1,9 +1,9 @@
 """Slopes: those that GIS programs show, and what is known of planes and mirrors."""
 
 import math
-from unittest import mock
 import shutil
 import subprocess
+from unittest import mock
 
 import numpy as np
 import pytest
