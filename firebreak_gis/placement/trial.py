@@ -234,5 +234,5 @@ class Trial:
         cumulative = np.cumsum(weights)
         shift = uniforms(stream_key(seed_for(self.seed, "design"), "ignitions"), 1, first_run)
         cells = np.searchsorted(cumulative, (np.arange(n_runs) + shift) / n_runs * cumulative[-1], side="right")
-        last = int(np.flatnonzero(weights)[-1])
+        last = weights.size - 1 - int(np.argmax(weights[::-1] > 0.0))
         return Ignitions(np.arange(n_runs + 1), np.minimum(cells, last), first_run)

@@ -267,7 +267,8 @@ def burn_maps(
     import xarray as xr
 
     n_runs = sizes.size
-    frequency = np.where(network.burnable, counts / n_runs, np.nan).astype(np.float32)
+    frequency = np.full(counts.shape, np.nan, np.float32)
+    np.divide(counts, n_runs, out=frequency, where=network.burnable, dtype=np.float32, casting="unsafe")
     planes = {"burn_count": counts, "burn_frequency": frequency}
     runs = {"fire_size": sizes} if lost is None else {"fire_size": sizes, "value_lost": lost}
     return xr.Dataset(

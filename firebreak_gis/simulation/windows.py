@@ -393,7 +393,8 @@ class _Work:
         out = np.zeros(self._source.grid.shape)
         for cells, values in self._passed:
             np.add.at(out.ravel(), cells, values)
-        return out / self._request.n_runs
+        out /= self._request.n_runs
+        return out
 
     def burns(self, fuel: SpreadNetwork) -> xr.Dataset:
         """The result as `fires.burn` returns it."""
