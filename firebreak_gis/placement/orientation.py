@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections import Counter
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -70,14 +71,11 @@ def in_standard_orientation(
 def _turned_setting(turned: SpreadNetwork, stakes: Stakes, turn: Turn) -> Stakes:
     if not turned.burnable.any():
         return Stakes(turned)
-    return Stakes(
-        turned,
-        cost=turn(stakes.cost),
-        protected=turn(stakes.protected),
-        value=turn(stakes.value),
-        ignition=turn(stakes.ignition),
-        difficulty=turn(stakes.difficulty),
-    )
+    planes = {name: getattr(stakes, name) for name in ("cost", "value", "ignition", "difficulty")}
+    # What nobody gave is one plane, which is made anew.
+    times = Counter(map(id, planes.values()))
+    given = {name: turn(plane) for name, plane in planes.items() if times[id(plane)] == 1}
+    return Stakes(turned, protected=turn(stakes.protected), **given)
 
 
 def _turn(symmetry: tuple[bool, int]) -> Turn:
