@@ -59,11 +59,16 @@ class Grid:
         self.require_metres("areas in hectares")
         return abs(self.transform.a * self.transform.e) / 10_000.0
 
+    @property
+    def in_metres(self) -> bool:
+        """Whether coordinates are metres: so it is told by the CRS, or taken where there is none."""
+        if self.crs is None:
+            return True
+        return bool(self.crs.is_projected and all(a.unit_conversion_factor == 1.0 for a in self.crs.axis_info[:2]))
+
     def require_metres(self, purpose: str) -> None:
         """Raise `CRSError` if there is a CRS whose unit is not the metre; `purpose` says what needs it."""
-        if self.crs is None:
-            return
-        if self.crs.is_projected and all(a.unit_conversion_factor == 1.0 for a in self.crs.axis_info[:2]):
+        if self.in_metres or self.crs is None:
             return
         unit = self.crs.axis_info[0].unit_name if self.crs.axis_info else "unknown units"
         raise CRSError(

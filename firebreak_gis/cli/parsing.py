@@ -186,10 +186,10 @@ def line_width(text: Any, option: str) -> float | str:
 
 
 def planned_width(text: Any, option: str) -> float | str:
-    """Read "12" or "12m", in metres, or "auto"."""
+    """Read "12" or "12m", in metres, "auto" or "cells"."""
     found = line_width(text, option)
-    if isinstance(found, str) and found.lower() != "auto":
-        raise ParameterError(f"{option} is {text!r}, expected metres, such as 12m, or auto")
+    if isinstance(found, str) and found.lower() not in ("auto", "cells"):
+        raise ParameterError(f"{option} is {text!r}, expected metres, such as 12m, auto or cells")
     return found.lower() if isinstance(found, str) else found
 
 

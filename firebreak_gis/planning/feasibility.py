@@ -15,7 +15,7 @@ from firebreak_gis.network import checked_residual
 if TYPE_CHECKING:
     from firebreak_gis.breaks import Budget
     from firebreak_gis.network import SpreadNetwork
-    from firebreak_gis.planning.line_design import LineWidth
+    from firebreak_gis.planning.line_design import Widths
     from firebreak_gis.simulation.ignitions import Ignitions
     from firebreak_gis.stakes import Stakes
 
@@ -59,7 +59,7 @@ def feasibility(
     width: float | None = None,
     residual: float = 0.0,
     refine: bool = False,
-    line_width: LineWidth | None = None,
+    line_width: Widths | None = None,
     ignitions: Callable[[], Ignitions] | None = None,
 ) -> Feasibility:
     """Check what is asked of a plan against the landscape.
@@ -79,13 +79,13 @@ def feasibility(
     refine
         Whether the breaks are improved by local search.
     line_width
-        Width of breaks that are lines [m].
+        Width of breaks that are lines [m]; "cells" or None: they are whole cells.
     ignitions
         Returns where the simulated fires start, or raises what is wrong with that.
     """
     check = _Check(network, stakes)
     check.reach()
-    check.afford(budget, lines=line_width is not None)
+    check.afford(budget, lines=line_width not in (None, "cells"))
     check.width(width, residual)
     check.lines(line_width, budget)
     if refine and width_in_cells(width, network.grid.cell_size) > 1:
@@ -212,11 +212,11 @@ class _Check:
                 "budget then encloses less. If width is there because breaks leak, give --residual"
             )
 
-    def lines(self, width: LineWidth | None, budget: Budget) -> None:
+    def lines(self, width: Widths | None, budget: Budget) -> None:
         """Whether breaks can be lines of that width, and how long they get."""
-        if width is None:
+        if width is None or width == "cells":
             return
-        if width == "auto":
+        if isinstance(width, str):
             self.account.append("breaks are lines of the width that suits the flames; they count by length times width")
             return
         if not (math.isfinite(width) and width > 0.0):

@@ -33,6 +33,10 @@ if TYPE_CHECKING:
 
 #: Of lines [m], or that which suits the flames.
 LineWidth = float | Literal["auto"]
+#: The same, or whole cells in place of lines.
+Widths = LineWidth | Literal["cells"]
+#: Parameters of `dissection` that lines take.
+PARAMS = frozenset({"directions", "smallest"})
 #: Widths that are tried, from the narrowest up until two in a row are worse than the best [m].
 WIDTHS = (5.0, 7.0, 10.0, 15.0, 20.0, 30.0, 40.0, 60.0, 80.0, 120.0)
 #: Walls are kept up to so many times the budget, for the curve about it.
@@ -222,7 +226,7 @@ def _drawn(
 
 def line_params(params: Mapping[str, Any]) -> tuple[int, int]:
     """Directions and smallest compartment for walls of lines; anything else is refused."""
-    other = sorted(set(params) - {"directions", "smallest"})
+    other = sorted(set(params) - PARAMS)
     if other:
         raise ParameterError(f"lines take the parameters directions and smallest of dissection, not {', '.join(other)}")
     module = plugins.load("ranking", "dissection")

@@ -15,7 +15,7 @@ from firebreak_gis.planning.burning import USUAL, burnt_with, seconds_of
 from firebreak_gis.planning.designs import designed, rankings
 from firebreak_gis.planning.feasibility import Feasibility
 from firebreak_gis.planning.goals import Goal
-from firebreak_gis.planning.line_design import LineWidth
+from firebreak_gis.planning.line_design import Widths
 from firebreak_gis.planning.made import Plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
 from firebreak_gis.planning.setting import settle
@@ -75,7 +75,7 @@ def plan(
     timeless: bool = False,
     refine: bool = False,
     goal: Goal = "mean",
-    line_width: LineWidth | None = None,
+    line_width: Widths | None = None,
     years: YearsRequest | None = None,
     ignitions: Any = None,
     ignition_mode: IgnitionMode = "each",
@@ -147,8 +147,10 @@ def plan(
         `"mean"`, or `"worst-tenth"`: what is to be small, the loss of the mean fire or that of the worst tenth, see
         `planning.goals`. `Plan.goals` tells what the plan does for both, in hectares and values.
     line_width
-        Width of breaks that are lines in place of whole cells [m], which the method `dissection` then plans; the budget
-        counts length times width. `"auto"`: with `hold` by flames, the width with which fires take least.
+        Width of breaks that are lines [m], which the method `dissection` plans; the budget counts length times width.
+        `"auto"`: with `hold` by flames, the width with which fires take least. `"cells"`: breaks are whole cells, as in
+        the paper. None: lines as wide as a cell, at most 30 m, where they can be planned and judged; cells elsewhere
+        (another method, no clock, breaks that leak, what lines cannot have), see `designs.lines.usual`.
     years
         Over how many years the plan is built and kept up, see `years.YearsRequest`; default: all at once.
     ignitions, ignition_mode, n_runs, seed, threads, progress

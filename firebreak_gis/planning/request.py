@@ -20,7 +20,7 @@ from firebreak_gis.landscape.request import LandscapeRequest
 from firebreak_gis.landscape.sited import SitingRequest
 from firebreak_gis.landscape.stake_layers import StakesRequest
 from firebreak_gis.planning.goals import Goal
-from firebreak_gis.planning.line_design import LineWidth
+from firebreak_gis.planning.line_design import Widths
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.planning.years import YearsRequest
 from firebreak_gis.simulation.request import FireRequest
@@ -45,7 +45,8 @@ class DesignRequest:
     goal
         Whether the mean of all fires or that of their worst tenth is to be small, see `goals.for_worst_tenth`.
     line_width
-        Width of breaks that are lines [m], or that which suits the flames; None: breaks are whole cells.
+        Width of breaks that are lines [m], "auto" for that which suits the flames, "cells" for whole cells in their
+        place; None: as `designs.lines.usual` says.
     """
 
     method: str = "dissection"
@@ -56,7 +57,7 @@ class DesignRequest:
     refine: bool = False
     treatments: Treatments | None = None
     goal: Goal = "mean"
-    line_width: LineWidth | None = None
+    line_width: Widths | None = None
 
     def __post_init__(self) -> None:
         """Refuse a budget that cannot be read, or that its unit contradicts."""

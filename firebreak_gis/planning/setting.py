@@ -11,6 +11,7 @@ from firebreak_gis import plugins
 from firebreak_gis.files.scratch import standing_folder
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.placement.trial import Trial
+from firebreak_gis.planning.designs import lines
 from firebreak_gis.planning.feasibility import feasibility, width_in_cells
 from firebreak_gis.planning.judging import Judging, Scene, judging
 from firebreak_gis.planning.treating import offers_of, priced
@@ -60,6 +61,8 @@ class Setting:
         (rows, cols) bool: cells of existing breaks, which fires meet before and after; None for none.
     threads
         Threads to use; None: all.
+    lines_usual
+        Whether nobody said what breaks are: lines, if they are, for being usual.
     """
 
     request: PlanRequest
@@ -75,6 +78,7 @@ class Setting:
     found: Feasibility
     standing: np.ndarray | None = None
     threads: int | None = None
+    lines_usual: bool = False
 
     @property
     def leak(self) -> float:
@@ -153,6 +157,7 @@ def settle(landscape: xr.Dataset, request: PlanRequest, planes: StakePlanes, *, 
     if planes.ignition is not None and fires.ignitions is None:
         fires = replace(fires, ignitions=stakes.ignition)
     judged = replace(scene.judging(fires, timeless=request.timeless), sited=sited.told)
+    asked = replace(asked, line_width=lines.usual(request, judged, network, planes))
     starts: list[Ignitions] = []
 
     def start() -> Ignitions:
@@ -175,7 +180,7 @@ def settle(landscape: xr.Dataset, request: PlanRequest, planes: StakePlanes, *, 
     ground = scene.ground(judged, planes.barred(scene.network), planes.barriers)
     standing = planes.standing(network)
     return Setting(
-        request,
+        replace(request, design=asked),
         landscape,
         network,
         planes,
@@ -188,4 +193,5 @@ def settle(landscape: xr.Dataset, request: PlanRequest, planes: StakePlanes, *, 
         found,
         standing,
         threads,
+        lines_usual=request.design.line_width is None,
     )

@@ -216,7 +216,7 @@ def test_what_lines_cannot_have_is_refused(landscape, tmp_path):
             plan(landscape, **({"line_width": 6.0, "n_runs": 1} | more))
     words = ["plan", "a.tif", "b.tif", "-o", str(tmp_path / "out"), "--line-width"]
     for more, told in (
-        (["wide"], "12m, or auto"),
+        (["wide"], "12m, auto or cells"),
         (["auto"], "--hold flame"),
         (["6", "--treatments", "default"], "--treatments"),
         (["-1m"], "above 0"),

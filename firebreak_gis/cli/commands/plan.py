@@ -58,9 +58,10 @@ STEP = 1
 @click.option(
     "--line-width",
     type=kinds.PLANNED_WIDTH,
-    metavar="METRES|auto",
-    help="Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the "
-    "budget counts their length times their width. With --hold flame, auto is the width with which fires take least.",
+    metavar="METRES|auto|cells",
+    help="Width of the lines that breaks are, such as 12m, narrower than a cell too; the budget counts their length "
+    "times their width. With --hold flame, auto is the width with which fires take least. cells cuts whole cells, as "
+    "in the paper. Default: lines as wide as a cell, at most 30 m, where fires have a clock and breaks do not leak.",
 )
 @click.option(
     "--treatments",

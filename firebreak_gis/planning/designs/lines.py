@@ -15,21 +15,49 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.curves import ByBudget
 from firebreak_gis.landscape.lines import LineBreaks, laid_on
 from firebreak_gis.planning.designs import Design, Rest
-from firebreak_gis.planning.line_design import LineDesign, design_lines, line_params
+from firebreak_gis.planning.line_design import PARAMS, LineDesign, design_lines, line_params
 
 if TYPE_CHECKING:
     import geopandas as gpd
 
+    from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.planning.judging import Judging
+    from firebreak_gis.planning.line_design import Widths
     from firebreak_gis.planning.request import DesignRequest, PlanRequest
     from firebreak_gis.planning.setting import Setting
     from firebreak_gis.progress import Progress
+    from firebreak_gis.stakes import StakePlanes
 
 ORDER = 50
 
 
+#: Width of lines where nobody says it [m], at most that of a cell: the narrowest of California's fuel breaks, 30 to
+#: 90 m, of which the share that holds in the field is known (`simulation.holding.FIELD`).
+USUAL = 30.0
+#: Maps of more cells with fuel get cells, whose walls are found faster.
+LARGEST = 1_500_000
+
+
 def asked(request: DesignRequest) -> bool:
     """Whether lines have a width."""
-    return request.line_width is not None
+    return request.line_width not in (None, "cells")
+
+
+def usual(request: PlanRequest, judged: Judging, network: SpreadNetwork, planes: StakePlanes) -> Widths:
+    """The width that is asked for, or where none is, the usual one; "cells" where lines cannot be planned or judged.
+
+    Fires without a clock are those of the paper, whose breaks are cells; where breaks leak, cells can be cut several
+    wide.
+    """
+    design = request.design
+    if design.line_width is not None:
+        return design.line_width
+    others = set(design.method_params) - PARAMS
+    if others or _refused(design) or planes.existing is not None or not judged.clock or judged.fires.leaks:
+        return "cells"
+    if not network.grid.in_metres or network.boundary != "open" or network.n_burnable > LARGEST:
+        return "cells"
+    return min(USUAL, network.grid.cell_size)
 
 
 def require(request: PlanRequest) -> None:
@@ -41,11 +69,7 @@ def require(request: PlanRequest) -> None:
         Naming all of it.
     """
     design = request.design
-    refused = [f"--method {design.method}"] if design.method != "dissection" else []
-    refused += ["--width"] if design.width is not None else []
-    refused += ["--refine"] if design.refine else []
-    refused += ["--goal"] if design.goal != "mean" else []
-    refused += ["--treatments"] if design.treatments is not None else []
+    refused = _refused(design)
     if refused:
         raise ParameterError(
             f"--line-width plans lines by dissection, which {', '.join(refused)} cannot change; leave "
@@ -59,12 +83,23 @@ def require(request: PlanRequest) -> None:
         )
 
 
-def make(setting: Setting, _: Rest, progress: Progress) -> Lines:
-    """Find the walls."""
+def _refused(design: DesignRequest) -> list[str]:
+    """What is asked for that lines cannot have, as it is asked for."""
+    refused = [f"--method {design.method}"] if design.method != "dissection" else []
+    refused += ["--width"] if design.width is not None else []
+    refused += ["--refine"] if design.refine else []
+    refused += ["--goal"] if design.goal != "mean" else []
+    refused += ["--treatments"] if design.treatments is not None else []
+    return refused
+
+
+def make(setting: Setting, rest: Rest, progress: Progress) -> Design:
+    """Find the walls; cells where lines are only the usual, and the budget pays no wall."""
     request, width = setting.request.design, setting.request.design.line_width
     if setting.standing is not None:
         raise ParameterError("--existing stands beside breaks of whole cells; leave --existing or --line-width out")
     assert width is not None
+    assert width != "cells"
     found = design_lines(
         setting.network,
         stakes=setting.stakes,
@@ -75,6 +110,8 @@ def make(setting: Setting, _: Rest, progress: Progress) -> Lines:
         threads=setting.threads,
         progress=progress,
     )
+    if setting.lines_usual and not found.bought(request.amount):
+        return rest(setting, progress)
     return Lines(setting, found.priority, found.passed(request.amount), found)
 
 
