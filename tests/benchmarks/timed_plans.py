@@ -21,16 +21,20 @@ import numpy as np
 
 from firebreak_gis import read_landscape
 from firebreak_gis.breaks import Budget, select_breaks
+from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning.design import design
+from firebreak_gis.planning.designs.lines import usual
 from firebreak_gis.planning.judging import Scene
+from firebreak_gis.planning.line_design import design_lines
+from firebreak_gis.planning.request import PlanRequest
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.fires import burn
 from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.request import FireRequest
-from firebreak_gis.stakes import Stakes
+from firebreak_gis.stakes import StakePlanes, Stakes
 
 #: The same three layers under both winds.
 WINDS: Mapping[str, tuple[SpreadRequest, WeatherRequest]] = {
@@ -107,7 +111,7 @@ class Stage:
         self._bare: dict[int, np.ndarray] = {}
         self.told = ""
 
-    def sizes(self, fires: FireRequest, cut: np.ndarray | None) -> np.ndarray:
+    def sizes(self, fires: FireRequest, cut: np.ndarray | LineBreaks | None) -> np.ndarray:
         """Cells that each fire burns."""
         burns = burn(self.ground.network, fires, breaks=cut, weather=self.ground.weather)
         return burns["fire_size"].to_numpy()
@@ -118,14 +122,20 @@ class Stage:
             self._bare[row.hours] = self.sizes(row.fires, None)
         return self._bare[row.hours]
 
-    def cut(self, row: Row, plan: str) -> np.ndarray:
-        """Cells that a plan cuts."""
+    def cut(self, row: Row, plan: str) -> np.ndarray | LineBreaks | None:
+        """What a plan builds: cells, or lines."""
         if plan in TODAY:
             if (plan, row.d_f) not in self._today:
                 method, residual, params = TODAY[plan]
                 self._today[plan, row.d_f] = self._design(row, method, residual, params)
             return self._today[plan, row.d_f]
         trial = Trial(self.ground, row.fires, self.stakes, seed=0)
+        width = usual(PlanRequest(fires=row.fires), self.scene.judging(row.fires), self.network, StakePlanes())
+        if width != "cells":
+            budget = Budget(row.d_f)
+            found = design_lines(self.network, stakes=self.stakes, budget=budget, width=float(width), trial=trial)
+            self.told = found.told
+            return found.breaks(budget)
         return self._design(row, "dissection", row.fires.residual, {}, trial)
 
     def _design(
