@@ -79,6 +79,12 @@ def line_segments(
         )
         return np.where(length > 0, total / np.maximum(length, 1e-300), np.nan)
 
+    def steepest(plane: np.ndarray) -> np.ndarray:
+        found = np.full(len(lines), -np.inf)
+        np.fmax.at(found, prints.feature, plane.ravel()[prints.cell])
+        return np.where(np.isfinite(found), found, np.nan)
+
+    steepness = slope(network, elevation)
     table = {
         "order": np.arange(1, len(lines) + 1),
         "stage": stage,
@@ -86,7 +92,8 @@ def line_segments(
         "width_m": lines["width_m"].to_numpy(),
         "cells": cells,
         "area_ha": length * lines["width_m"].to_numpy() / 10_000.0,
-        "mean_slope_deg": mean(slope(network, elevation)),
+        "mean_slope_deg": mean(steepness),
+        "max_slope_deg": steepest(steepness),
         "cost": lines["cost"].to_numpy() * length / np.maximum(whole[stage - 1], 1e-300),
         "compartment_a": sides[:, 0],
         "compartment_b": sides[:, 1],

@@ -39,6 +39,9 @@ _LARGE = 20_000
 _SHORT = 4
 #: Share of what a cut saves that its line must save after it was pulled straight.
 _KEPT = 0.95
+#: Of what is at stake, and of where fires start, where much of the fuel has none: so walls go on beyond those that part
+#: all that has some, and hold fire off where these fail. An assumption.
+_GROUND = 0.001
 
 
 @dataclass(frozen=True)
@@ -217,15 +220,15 @@ def dissect_by_lines(
     """
     if network.boundary == "periodic":
         raise ParameterError("lines are planned on open maps alone; this one is periodic")
-    ignition, value = stakes.ignition.ravel(), stakes.value.ravel()
+    ignition, value = (_shared_out(plane, network.burnable) for plane in (stakes.ignition, stakes.value))
     price, scale = _prices(network, stakes)
     field = _Field(
         network.shape,
         links(network).ravel(),
         price,
         stakes.cost.ravel(),
-        ignition / max(ignition.sum(), 1e-300),
-        value / max(value.sum(), 1e-300),
+        ignition,
+        value,
         scale,
         np.pi * np.arange(directions)[:, np.newaxis] / directions,
         np.asarray(shares),
@@ -250,6 +253,15 @@ def dissect_by_lines(
         waiting = children
     progress(1.0, f"{len(cuts)} walls")
     return cuts
+
+
+def _shared_out(plane: np.ndarray, burnable: np.ndarray) -> np.ndarray:
+    """Share of all that each cell has, (n_cells,); where fuel has none, `_GROUND` of all is spread over the fuel."""
+    share = plane.ravel() / max(float(plane.sum()), 1e-300)
+    if (plane[burnable] > 0).all():
+        return share
+    ground = burnable.ravel() / max(int(np.count_nonzero(burnable)), 1)
+    return np.asarray((1.0 - _GROUND) * share + _GROUND * ground)
 
 
 def _prices(network: SpreadNetwork, stakes: Stakes) -> tuple[np.ndarray, tuple[float, float]]:

@@ -5,7 +5,7 @@ The budget counts what the lines take of the land, length times width, or what t
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal
@@ -41,8 +41,8 @@ PARAMS = frozenset({"directions", "smallest"})
 WIDTHS = (5.0, 7.0, 10.0, 15.0, 20.0, 30.0, 40.0, 60.0, 80.0, 120.0)
 #: Walls are kept up to so many times the budget, for the curve about it.
 _BEYOND = 2.0
-#: Compartments of fewer cells are left whole, where nothing else is asked.
-_SMALLEST = 64
+#: Compartments of fewer cells are left whole, where nothing else is asked; the next where the budget pays all walls.
+_SMALLEST = (64, 16, 4)
 #: Cells from the end of a line within which it is led on to a line that stands before it.
 _JOINED = 1.5
 
@@ -150,6 +150,7 @@ def design_lines(
     from firebreak_gis.progress import part
 
     directions, smallest = line_params(params or {})
+    sizes = (smallest,) if "smallest" in (params or {}) else _SMALLEST
     if width is not None and not (np.isfinite(width) and width > 0):
         raise ParameterError(f"the width of lines is {width} m, expected a number above 0")
     if width is None and trial is None:
@@ -157,14 +158,12 @@ def design_lines(
             "the width of lines is chosen by fires with a clock; give one in metres where there is none"
         )
     network.grid.require_metres("lines with a width")
-    cuts = dissect_by_lines(
-        network,
-        stakes,
-        directions=directions,
-        smallest=smallest,
-        threads=threads,
-        progress=part(progress, 0.0, 0.7 if trial else 1.0),
-    )
+    first = part(progress, 0.0, 0.7 if trial else 1.0)
+    grid = network.grid
+    for each in sizes:
+        cuts = dissect_by_lines(network, stakes, directions=directions, smallest=each, threads=threads, progress=first)
+        if sum(_each(cuts, budget, width or WIDTHS[-1], grid)) >= _money(budget, network):
+            break
     drawing = partial(_drawn, cuts, network, stakes, budget, hold=Hold() if trial is None else trial.fires.holding)
     if trial is None or (width is not None and trial.fires.holding.perfect):
         return drawing(WIDTHS[0] if width is None else width, fails=False)
@@ -204,15 +203,19 @@ def _drawn(
         [cut.cost for cut in cuts],
         [cut.parent for cut in cuts],
     )
-    area = width * grid.cell_size / 10_000.0
-    price = width / grid.cell_size
     fuel_ha = network.n_burnable * grid.cell_area_ha
-    kept = _kept([cuts[i] for i in order], budget, area=area, price=price, fuel_ha=fuel_ha)
+    money = _money(budget, network)
+    each = _each(cuts, budget, width, grid)
+    order = paid_first(order, each, [cut.parent for cut in cuts], money)
+    # Beyond the budget for the curve about it.
+    order = order[: int(np.searchsorted(np.cumsum(each[order]), _BEYOND * money, side="right")) + 1]
+    kept = [cuts[i] for i in order]
     geometry = _joined([_on_map(cut, grid) for cut in kept], grid.cell_size)
     length = np.array([shape.length for shape in geometry])
     frame = gpd.GeoDataFrame(geometry=geometry, crs=grid.crs)
     prints = footprints(frame, grid)
     cost = np.bincount(prints.feature, prints.part * stakes.cost.ravel()[prints.cell], minlength=len(kept))
+    price = width / grid.cell_size
     table = {
         "length_m": length,
         "width_m": np.full(len(kept), float(width)),
@@ -220,8 +223,24 @@ def _drawn(
         "cost": cost * price,
         "saved": np.array([cut.saved for cut in kept]),
     }
+    place = {i: k for k, i in enumerate(order)}
+    drawn = table["cost" if budget.unit == "cost" else "area_ha"]
+    final = paid_first(list(range(len(kept))), drawn, [place.get(cut.parent, -1) for cut in kept], money)
     told = f"lines {width:g} m wide, those first that save most" + (" and hold most often" if fails else "")
-    return LineDesign(frame.assign(**table), grid, fuel_ha, float(width), told)
+    walls = frame.assign(**table).iloc[final].reset_index(drop=True)
+    return LineDesign(walls, grid, fuel_ha, float(width), told)
+
+
+def _money(budget: Budget, network: SpreadNetwork) -> float:
+    """What there is, in hectares or money."""
+    return budget.amount * (network.n_burnable * network.grid.cell_area_ha if budget.unit == "share" else 1.0)
+
+
+def _each(cuts: list[LineCut], budget: Budget, width: float, grid: Grid) -> np.ndarray:
+    """What each wall takes of the budget, before it is drawn, (n,) hectares or money."""
+    if budget.unit == "cost":
+        return np.array([cut.cost * width / grid.cell_size for cut in cuts])
+    return np.array([cut.length * width * grid.cell_size / 10_000.0 for cut in cuts])
 
 
 def line_params(params: Mapping[str, Any]) -> tuple[int, int]:
@@ -230,15 +249,43 @@ def line_params(params: Mapping[str, Any]) -> tuple[int, int]:
     if other:
         raise ParameterError(f"lines take the parameters directions and smallest of dissection, not {', '.join(other)}")
     module = plugins.load("ranking", "dissection")
-    built = plugins.build_params(module, {"smallest": _SMALLEST, **params})
+    built = plugins.build_params(module, {"smallest": _SMALLEST[0], **params})
     return int(built.directions), int(built.smallest)
 
 
-def _kept(cuts: list[LineCut], budget: Budget, *, area: float, price: float, fuel_ha: float) -> list[LineCut]:
-    """The first walls, up to some times the budget."""
-    each = np.array([cut.cost * price if budget.unit == "cost" else cut.length * area for cut in cuts])
-    most = _BEYOND * budget.amount * (fuel_ha if budget.unit == "share" else 1.0)
-    return cuts[: int(np.searchsorted(np.cumsum(each), most, side="right")) + 1]
+def paid_first(order: Sequence[int], cost: np.ndarray, parent: Sequence[int], money: float) -> list[int]:
+    """Move walls behind all others that the money does not pay at their turn, or whose parent it does not.
+
+    Parameters
+    ----------
+    order
+        Positions of walls, parents first.
+    cost, parent
+        Of every wall; a parent is its position, -1 for none.
+    money
+        What there is, in the unit of the costs.
+
+    Returns
+    -------
+    list of int
+        The same positions: those that are paid in their order, then the others in theirs.
+
+    Examples
+    --------
+    >>> paid_first([0, 1, 2, 3], np.array([2.0, 9.0, 1.0, 3.0]), [-1, 0, 1, 0], 6.0)
+    [0, 3, 1, 2]
+    """
+    paid, waiting, left = set(), [], Budget(money, "cost")
+    out: list[int] = []
+    spent = 0.0
+    for wall in order:
+        if (parent[wall] < 0 or parent[wall] in paid) and left.pays(spent + float(cost[wall])):
+            paid.add(wall)
+            out.append(wall)
+            spent += float(cost[wall])
+        else:
+            waiting.append(wall)
+    return out + waiting
 
 
 def _on_map(cut: LineCut, grid: Grid) -> list[np.ndarray]:

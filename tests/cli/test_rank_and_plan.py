@@ -84,7 +84,7 @@ SITED = "--siting 2 --siting-param scales=60 --siting-param patch=1 --max-slope 
 def test_every_method_ranks_as_it_plans_on_the_same_ground(files, tmp_path, method):
     words = [str(files / "road.gpkg") if word == "ROAD" else word for word in SITED.split()]
     words += ["--method", method, "--budget", "0.1"]
-    run("plan", *layers(files), "-o", tmp_path / "plan", "--runs", 2, *words)
+    run("plan", *layers(files), "-o", tmp_path / "plan", "--runs", 2, "--line-width", "cells", *words)
     told = run("rank", files / "network.tif", "-o", tmp_path / "p.tif", "--dem", layers(files)[0], *words).output
     assert "farther than 200 m from roads, where nothing is cut" in told
     run("rank", files / "network.tif", "-o", tmp_path / "off.tif", "--siting", 0, "--method", method)

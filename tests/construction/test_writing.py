@@ -122,7 +122,7 @@ def test_the_command_writes_what_a_plan_writes(make_landscape, tmp_path):
     landscape = make_landscape((22, 31), seed=4, relief=4.0)
     shape = landscape["burnable"].shape
     value = np.random.default_rng(1).random(shape)
-    made = plan(landscape, budget=0.2, value=value, n_runs=5)
+    made = plan(landscape, budget=0.2, value=value, line_width="cells", n_runs=5)
     grid = made.network.grid
     write_raster(tmp_path / "network.tif", made.network.to_raster())
     for name, data in (("breaks", made.breaks), ("priority", made.priority), ("dem", landscape["elevation"])):

@@ -271,7 +271,8 @@ def test_whole_plans_keep_to_their_budget(make_landscape, seed, unit):
     free = fuel & ~protected
     share = 0.3 * free.sum() / fuel.sum()
     budget = {"share": share, "ha": share * fuel.sum() * 0.04, "cost": 0.3 * cost[free].sum()}[unit]
-    made = plan(landscape, budget=budget, budget_unit=unit, protected=protected, cost=cost, n_runs=3, seed=seed)
+    given = {"protected": protected, "cost": cost, "line_width": "cells", "n_runs": 3, "seed": seed}
+    made = plan(landscape, budget=budget, budget_unit=unit, **given)
     cut = made.breaks.to_numpy() > 0
     assert not cut[~free].any()
     if unit == "share":

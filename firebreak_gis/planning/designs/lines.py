@@ -164,8 +164,8 @@ class Lines(Design):
 
     @cached_property
     def segments(self) -> Segments:
-        """See `lines.line_segments`."""
-        return line_segments(
+        """See `lines.line_segments`; without a `cost` where nobody gave prices."""
+        made = line_segments(
             self.setting.network,
             self.walls,
             self.laid,
@@ -173,6 +173,7 @@ class Lines(Design):
             value=self.setting.stakes.value,
             ignition=self.setting.stakes.ignition,
         )
+        return made if self.priced else Segments(*(frame.drop(columns="cost") for frame in made))
 
     @property
     def polygons(self) -> gpd.GeoDataFrame:
