@@ -72,6 +72,17 @@ def test_dissection_by_regions_needs_what_was_measured():
     assert per_cell[1] < 0.7 * per_cell[0]
 
 
+def test_plans_of_large_maps_need_what_was_measured():
+    """`plan` of 3,162 x 3,162 cells of noise on two threads took 3.1 GB beside the pages of its files."""
+    about = {"method": "dissection", "clock": True, "threads": 2}
+    away, whole = (memory.bytes_for("plan", 3162**2, **about, blocks=blocks) for blocks in (True, False))
+    assert 1 / 1.2 < away / 3.1e9 < 1.2
+    assert away < whole
+    assert memory.bytes_for("plan", 10**8, **about, blocks=True) < 20e9 < memory.bytes_for("plan", 10**8, **about) / 2
+    few = memory.BLOCK_CELLS
+    assert memory.bytes_for("plan", few, **about, blocks=True) == memory.bytes_for("plan", few, **about)
+
+
 def test_each_worker_has_its_own_copy():
     """A network with times of 2.25 million cells took 570 MB in each of two workers, one of 0.25 million 250 MB."""
     alone, two, four = (memory.bytes_for("burn", 2_250_000, clock=True, threads=1, workers=n) for n in (None, 2, 4))
