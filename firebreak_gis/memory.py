@@ -67,7 +67,7 @@ _STAGES: Mapping[str, tuple[Need, ...]] = {
 }
 
 
-#: Plans of large maps, whose networks lie on the disk; measured on 3,162 x 3,162 cells, without the pages of their files.
+#: Plans of large maps, whose networks lie on the disk; measured on 3,162 x 3,162 cells, pages of their files left out.
 #: What does not grow with the map are the windows of large fires on two threads, and what fires have come to so far.
 _AWAY: Mapping[str, tuple[Need, ...]] = {"plan": (Need(2_100_000_000, 135),)}
 
