@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from firebreak_gis import memory
 from firebreak_gis.breaks import select_breaks
 from firebreak_gis.evaluation.curves import ByBudget, evaluate_fires
 from firebreak_gis.planning.budgets import default_budgets, few_budgets
@@ -71,6 +72,7 @@ def burnt_with(design: Design, judged: Judging, spans: Mapping[str, tuple[float,
     progress
         Of the whole plan.
     """
+    memory.give_back()  # a design leaves many small pieces
     setting, laid = design.setting, design.laid
     fires = fires_of(setting, judged)
     first, last = spans["fires"]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from firebreak_gis import memory
 from firebreak_gis.construction.writing import write_breaks, write_compartments, write_segments
 from firebreak_gis.files import write_text
 from firebreak_gis.files.outputs import Output, Writing, labels, names, write_all
@@ -230,6 +231,7 @@ def write_plan(
     >>> "report.html" in [file.name for file in fb.write_plan(made, "out")]
     True
     """
+    memory.give_back()
     recorded = parameters or result.parameters
     how = Writing(
         overwrite,
