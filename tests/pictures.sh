@@ -17,7 +17,7 @@ small "$place/plan/overview.png" sample_data/pictures/overview.png
 "$python" tests/browser/picture.py "$place/plan/report.html" "$place/report.png"
 small "$place/report.png" sample_data/pictures/report.png
 
-"$python" -m firebreak_gis mapbook "$place/plan" -o "$place/book.pdf" --pages 1 -q
+"$python" -m firebreak_gis mapbook "$place/plan" -o "$place/book.pdf" --pages 36 -q
 "$python" - "$place/book.pdf" "$place/mapbook.png" <<'END'
 import sys
 
