@@ -97,7 +97,7 @@ def steps(place: Path, side: int) -> dict[str, list[str]]:
             *("--runs", "100", "--duration", "8h", *cells),
         ],
         "dissection": ["rank", out["network.tif"], "-o", out["walls.tif"], "--method", "dissection", *cells],
-        "plan": ["plan", *layers, "-o", out["plan"], *wind, *cells],
+        "plan": ["plan", *layers, "-o", out["plan"], *wind, "--line-width", "cells", *cells],
     }
 
 
