@@ -88,7 +88,6 @@ def _refused(design: DesignRequest) -> list[str]:
     refused = [f"--method {design.method}"] if design.method != "dissection" else []
     refused += ["--width"] if design.width is not None else []
     refused += ["--refine"] if design.refine else []
-    refused += ["--goal"] if design.goal != "mean" else []
     refused += ["--treatments"] if design.treatments is not None else []
     return refused
 
