@@ -253,11 +253,16 @@ def draw(lines: list[Line], file: Path) -> None:
     """Every row as a point: the best of the plans without a clock against the default, by landscape and wind."""
     import matplotlib.pyplot as plt
 
-    places = sorted({line.row[:2] for line in lines})
-    size = (1.2 + 3.9 * len(places), 4.9)
-    figure, panels = plt.subplots(1, len(places), figsize=size, layout="constrained", squeeze=False, sharey=True)
+    places = sorted({line.row[:2] for line in lines}, key=lambda place: (place[1], place[0]))
+    across = max(sum(wind == one for _, wind in places) for one in WINDS)
+    size = (1.2 + 2.9 * across, 3.9 * -(-len(places) // across))
+    figure, panels = plt.subplots(
+        -(-len(places) // across), across, figsize=size, layout="constrained", squeeze=False, sharey=True
+    )
     ends = np.array([0.0, 100.0])
-    for axes, (place, wind) in zip(panels[0], places, strict=True):
+    for axes in panels.ravel()[len(places) :]:
+        axes.set_visible(False)
+    for axes, (place, wind) in zip(panels.ravel(), places, strict=False):
         here = [line for line in lines if line.row[:2] == (place, wind)]
         for name, mark in zip(BREAKS, "os^D", strict=True):
             of = [line for line in here if line.row[3] == name]
@@ -267,7 +272,7 @@ def draw(lines: list[Line], file: Path) -> None:
         axes.plot(ends, ends, color="0.4", lw=1, label="as much")
         axes.plot(ends, 1.25 * ends, color="0.4", lw=1, ls=":", label="a quarter more")
         axes.set(xlim=(0, 100), ylim=(0, 100), aspect="equal", title=f"{place}, {wind}: {len(here)} of 24 rows")
-    panels[0][0].set_ylabel("saved by the default, tried out on fires with a clock [%]")
+    figure.supylabel("saved by the default plan [% of the burnt area]", fontsize="medium")
     panels[0][0].legend(title="breaks", frameon=False)
     figure.supxlabel("saved by the best of five plans made without a clock [% of the burnt area]", fontsize="medium")
     figure.savefig(file, dpi=110)
