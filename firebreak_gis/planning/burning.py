@@ -154,7 +154,8 @@ def seconds_of(setting: Setting, rankings: int) -> dict[str, float]:
     """Seconds that each step of a plan takes, of which so many rankings are made, as a small part of it tells."""
     judged, method = setting.judged, setting.request.design.method
     network, threads, n_runs = setting.network, setting.threads, judged.fires.n_runs
-    ranking = ranking_seconds(network, method, stakes=setting.stakes, **setting.about)
+    lines = setting.request.design.line_width not in (None, "cells")
+    ranking = ranking_seconds(network, method, stakes=setting.stakes, lines=lines, **setting.about)
     curves = 1 + len(_baselines(method))
     levels = few_budgets(0.1).size * judged.reburnt
     paper = each = fire_seconds(Ground(network), judged.paper, passes=curves, threads=threads)

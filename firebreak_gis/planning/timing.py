@@ -20,8 +20,9 @@ from firebreak_gis.breaks import Budget
 from firebreak_gis.construction.delineations import delineate
 from firebreak_gis.errors import FirebreakError
 from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.placement.lines import dissect_by_lines
 from firebreak_gis.planning.design import design
-from firebreak_gis.progress import worked
+from firebreak_gis.progress import silent, worked
 from firebreak_gis.simulation.engine import in_use, using
 from firebreak_gis.simulation.fires import burn
 from firebreak_gis.simulation.ignitions import Ignitions
@@ -89,6 +90,7 @@ def ranking_seconds(
     budget: Budget,
     elevation: Any = None,
     roads: Any = None,
+    lines: bool = False,
     now: Now = time.perf_counter,
     **more: Any,
 ) -> float:
@@ -98,6 +100,8 @@ def ranking_seconds(
     ----------
     network, method, stakes, budget, elevation, roads, more
         As in `design.design`; local search is left out.
+    lines
+        Whether walls are lines, which `method` and what it takes then do not tell.
     now
         Tells the time [s].
     """
@@ -110,6 +114,9 @@ def ranking_seconds(
         for name in ("value", "ignition"):
             if (plane := getattr(stakes, name)[rows, cols]).any():  # nothing at all is refused
                 given[name] = plane
+        if lines:
+            dissect_by_lines(piece, Stakes(piece, **given), progress=silent)
+            return
         planes = {"elevation": elevation, "roads": roads}
         planes = {name: None if plane is None else np.asarray(plane)[rows, cols] for name, plane in planes.items()}
         design(piece, method, stakes=Stakes(piece, **given), budget=share, **planes, **more)

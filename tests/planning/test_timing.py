@@ -334,3 +334,18 @@ def test_commands_tell_what_takes_long(make_landscape, tmp_path, monkeypatch):
         assert "This takes about" in run(*words, "--overwrite"), name
         told = run(*words, "--overwrite", "--json")
         assert json.loads(told.splitlines()[-1])["result"]
+
+
+def test_plans_of_lines_are_foreseen_by_lines(sample, monkeypatch):
+    """Not by walls of cells, which take a tenth of the time, and whose kernels such a plan need not compile."""
+    from firebreak_gis.planning import timing
+
+    asked = []
+    monkeypatch.setattr(timing, "dissect_by_lines", lambda piece, *_, **__: asked.append(piece.shape))
+    monkeypatch.setattr(timing, "design", None)
+    monkeypatch.setattr(timing, "_SMALL", 0)
+    fb.plan(sample, n_runs=2)
+    assert not asked  # nobody looks
+    network = fb.spread_network(sample)
+    ranking_seconds(network, "dissection", stakes=fb.Stakes(network), budget=Budget(0.1), lines=True)
+    assert asked
