@@ -101,13 +101,12 @@ def main():
     writers.prepare(kind, folder)
     old, new = writers.contents(kind, folder)
     findings, calls = [], []
-    # Where writing takes long every tenth call is broken, and the kind of fault changes from one to the next.
+    # The kind of fault changes from one call to the next; where writing takes long every tenth call is broken.
     whole = kind in writers.LONG
-    for codes in [CODES] if whole else [(code,) for code in CODES]:
-        for before in [old] if whole else [{}, old]:
-            *wrong, count = faults(shim, kind, folder, codes, before, new, 10 if whole else 1)
-            findings += wrong
-            calls.append(count)
+    for before in [old] if whole else [{}, old]:
+        *wrong, count = faults(shim, kind, folder, CODES, before, new, 10 if whole else 1)
+        findings += wrong
+        calls.append(count)
     *wrong, count = kills(shim, kind, folder, old, new, _some(calls[-1]) if whole else itertools.count(1))
     print(json.dumps({"calls": [*calls, count], "findings": findings + wrong}))
 
