@@ -968,8 +968,8 @@
         <translation>Breite von Schneisen, die Linien sind [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Plant Schneisen als Linien dieser Breite, z. B. 12m, auch schmaler als eine Zelle, an Stelle ganzer Zellen; das Budget zählt ihre Länge mal ihre Breite. Mit "Wie oft eine Schneise hält" flame ist auto die Breite, bei der Feuer am wenigsten nehmen.</translation>
+        <source>Width of the lines that breaks are, such as 12m, narrower than a cell too; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least. cells cuts whole cells, as in the paper. Default: lines as wide as a cell, at most 30 m, where fires have a clock and breaks do not leak.</source>
+        <translation>Breite der Linien, aus denen Schneisen bestehen, z. B. 12m, auch schmaler als eine Zelle; das Budget zählt ihre Länge mal ihre Breite. Mit "Wie oft eine Schneise hält" flame ist auto die Breite, bei der Feuer am wenigsten nehmen. cells schneidet ganze Zellen wie im Artikel. Vorgabe: Linien so breit wie eine Zelle, höchstens 30 m, wo Feuer eine Uhr haben und Schneisen nicht durchlässig sind.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>

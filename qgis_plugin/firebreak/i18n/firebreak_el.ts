@@ -968,8 +968,8 @@
         <translation>Πλάτος των ζωνών που είναι γραμμές [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Σχεδιάζει ζώνες ως γραμμές αυτού του πλάτους, π.χ. 12m, και μικρότερου από ένα κελί, αντί για ολόκληρα κελιά· ο προϋπολογισμός μετρά το μήκος τους επί το πλάτος τους. Με "Πόσο συχνά κρατά μια ζώνη" flame, auto είναι το πλάτος με το οποίο οι πυρκαγιές καίνε το λιγότερο.</translation>
+        <source>Width of the lines that breaks are, such as 12m, narrower than a cell too; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least. cells cuts whole cells, as in the paper. Default: lines as wide as a cell, at most 30 m, where fires have a clock and breaks do not leak.</source>
+        <translation>Πλάτος των γραμμών από τις οποίες αποτελούνται οι ζώνες, π.χ. 12m, και μικρότερο από ένα κελί· ο προϋπολογισμός μετρά το μήκος τους επί το πλάτος τους. Με "Πόσο συχνά κρατά μια ζώνη" flame, auto είναι το πλάτος με το οποίο οι πυρκαγιές καίνε το λιγότερο. Το cells κόβει ολόκληρα κελιά, όπως στο άρθρο. Προεπιλογή: γραμμές πλάτους ενός κελιού, το πολύ 30 m, όπου οι πυρκαγιές έχουν ρολόι και οι ζώνες δεν διαρρέουν.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>

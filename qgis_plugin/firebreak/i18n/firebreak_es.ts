@@ -968,8 +968,8 @@
         <translation>Anchura de los cortafuegos que son líneas [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Planifica cortafuegos como líneas de esta anchura, p. ej. 12m, también menor que una celda, en lugar de celdas enteras; el presupuesto cuenta su longitud por su anchura. Con "Con qué frecuencia aguanta un cortafuegos" flame, auto es la anchura con la que los incendios queman menos.</translation>
+        <source>Width of the lines that breaks are, such as 12m, narrower than a cell too; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least. cells cuts whole cells, as in the paper. Default: lines as wide as a cell, at most 30 m, where fires have a clock and breaks do not leak.</source>
+        <translation>Anchura de las líneas que forman los cortafuegos, p. ej. 12m, también menor que una celda; el presupuesto cuenta su longitud por su anchura. Con "Con qué frecuencia aguanta un cortafuegos" flame, auto es la anchura con la que los incendios queman menos. cells corta celdas enteras, como en el artículo. Por defecto: líneas de la anchura de una celda, como mucho 30 m, donde los incendios tienen reloj y los cortafuegos no dejan pasar el fuego.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>

@@ -968,8 +968,8 @@
         <translation>Largeur des pare-feu qui sont des lignes [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Planifie des pare-feu comme lignes de cette largeur, p. ex. 12m, même moindre qu'une cellule, à la place de cellules entières ; le budget compte leur longueur fois leur largeur. Avec "Combien de fois un pare-feu tient" flame, auto est la largeur avec laquelle les feux prennent le moins.</translation>
+        <source>Width of the lines that breaks are, such as 12m, narrower than a cell too; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least. cells cuts whole cells, as in the paper. Default: lines as wide as a cell, at most 30 m, where fires have a clock and breaks do not leak.</source>
+        <translation>Largeur des lignes que sont les pare-feu, p. ex. 12m, même moindre qu'une cellule ; le budget compte leur longueur fois leur largeur. Avec "Combien de fois un pare-feu tient" flame, auto est la largeur avec laquelle les feux prennent le moins. cells coupe des cellules entières, comme dans l'article. Par défaut : des lignes larges d'une cellule, 30 m au plus, là où les feux ont une horloge et où les pare-feu ne fuient pas.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>

@@ -968,8 +968,8 @@
         <translation>Larghezza dei viali che sono linee [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Pianifica viali come linee di questa larghezza, ad es. 12m, anche minore di una cella, al posto di celle intere; il budget conta la loro lunghezza per la loro larghezza. Con "Quanto spesso un viale tiene" flame, auto è la larghezza con cui gli incendi bruciano meno.</translation>
+        <source>Width of the lines that breaks are, such as 12m, narrower than a cell too; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least. cells cuts whole cells, as in the paper. Default: lines as wide as a cell, at most 30 m, where fires have a clock and breaks do not leak.</source>
+        <translation>Larghezza delle linee di cui sono fatti i viali, ad es. 12m, anche minore di una cella; il budget conta la loro lunghezza per la loro larghezza. Con "Quanto spesso un viale tiene" flame, auto è la larghezza con cui gli incendi bruciano meno. cells taglia celle intere, come nell'articolo. Predefinito: linee larghe quanto una cella, al massimo 30 m, dove gli incendi hanno un orologio e i viali non lasciano passare il fuoco.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>

@@ -968,8 +968,8 @@
         <translation>Largura dos aceiros que são linhas [m]</translation>
     </message>
     <message>
-        <source>Plan breaks as lines of this width, such as 12m, narrower than a cell too, in place of whole cells; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least.</source>
-        <translation>Planeia aceiros como linhas desta largura, p. ex. 12m, também menor do que uma célula, em vez de células inteiras; o orçamento conta o seu comprimento vezes a sua largura. Com "Com que frequência um aceiro segura o fogo" flame, auto é a largura com que os fogos queimam menos.</translation>
+        <source>Width of the lines that breaks are, such as 12m, narrower than a cell too; the budget counts their length times their width. With "How often a break holds" flame, auto is the width with which fires take least. cells cuts whole cells, as in the paper. Default: lines as wide as a cell, at most 30 m, where fires have a clock and breaks do not leak.</source>
+        <translation>Largura das linhas de que são feitos os aceiros, p. ex. 12m, também menor do que uma célula; o orçamento conta o seu comprimento vezes a sua largura. Com "Com que frequência um aceiro segura o fogo" flame, auto é a largura com que os fogos queimam menos. cells corta células inteiras, como no artigo. Predefinição: linhas da largura de uma célula, no máximo 30 m, onde os fogos têm relógio e os aceiros não deixam passar o fogo.</translation>
     </message>
     <message>
         <source>Treatments (CSV, or default)</source>
