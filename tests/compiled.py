@@ -21,6 +21,9 @@ def pytest_sessionstart(session: pytest.Session) -> None:
         return
     with tempfile.TemporaryDirectory() as folder:
         each = (["warmup", "-q"], ["plan", *LAYERS, "--res", "120", "--runs", "4", "-q", "-o", f"{folder}/plan"])
-        started = [subprocess.Popen([sys.executable, "-m", "firebreak_gis", *words], stderr=subprocess.DEVNULL) for words in each]
+        started = [
+            subprocess.Popen([sys.executable, "-m", "firebreak_gis", *words], stderr=subprocess.DEVNULL)
+            for words in each
+        ]
         for program in started:
             program.wait()
