@@ -53,7 +53,11 @@ class Smoke:
 
     def check_provider(self) -> None:
         """The plugin loads and lists its algorithms."""
-        assert self.call("plugins", "enable", "firebreak").returncode == 0
+        # QGIS itself crashes here at times, on a busy machine: seen in 2 of 20 calls. What it listed then is checked below.
+        codes = [self.call("plugins", "enable", "firebreak").returncode]
+        while codes[-1] < 0 and len(codes) < 3:
+            codes.append(self.call("plugins", "enable", "firebreak").returncode)
+        assert codes[-1] == 0, codes
         listed = self.call("list").stdout
         for name in ("align", "network", "rank", "breaks", "segments", "plan", "burn", "evaluate", "compare"):
             assert f"firebreak:{name}\t" in listed, listed
