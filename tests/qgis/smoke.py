@@ -53,11 +53,7 @@ class Smoke:
 
     def check_provider(self) -> None:
         """The plugin loads and lists its algorithms."""
-        # QGIS itself crashes here at times, seen in 3 of 20 calls; whether it enabled the plugin is checked below.
-        codes = [self.call("plugins", "enable", "firebreak").returncode]
-        while codes[-1] < 0 and len(codes) < 3:
-            codes.append(self.call("plugins", "enable", "firebreak").returncode)
-        assert codes[-1] == 0, codes
+        assert self.call("plugins", "enable", "firebreak").returncode == 0
         listed = self.call("list").stdout
         for name in ("align", "network", "rank", "breaks", "segments", "plan", "burn", "evaluate", "compare"):
             assert f"firebreak:{name}\t" in listed, listed
