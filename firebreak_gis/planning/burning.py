@@ -12,6 +12,7 @@ from firebreak_gis import memory
 from firebreak_gis.breaks import select_breaks
 from firebreak_gis.evaluation.curves import ByBudget, evaluate_fires
 from firebreak_gis.planning.budgets import default_budgets, few_budgets
+from firebreak_gis.planning.designs import lines
 from firebreak_gis.planning.timing import fire_seconds, ranking_seconds
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.ranking import rank
@@ -154,8 +155,8 @@ def seconds_of(setting: Setting, rankings: int) -> dict[str, float]:
     """Seconds that each step of a plan takes, of which so many rankings are made, as a small part of it tells."""
     judged, method = setting.judged, setting.request.design.method
     network, threads, n_runs = setting.network, setting.threads, judged.fires.n_runs
-    lines = setting.request.design.line_width not in (None, "cells")
-    ranking = ranking_seconds(network, method, stakes=setting.stakes, lines=lines, **setting.about)
+    walls = {"stakes": setting.stakes, "lines": lines.asked(setting.request.design), **setting.about}
+    ranking = ranking_seconds(network, method, **walls)
     curves = 1 + len(_baselines(method))
     levels = few_budgets(0.1).size * judged.reburnt
     paper = each = fire_seconds(Ground(network), judged.paper, passes=curves, threads=threads)

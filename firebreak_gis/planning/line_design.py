@@ -77,8 +77,7 @@ class LineDesign:
         budget.require()
         if budget.unit == "cost":
             return budget.affordable(self.walls["cost"].to_numpy())
-        hectares = budget.amount * (self.fuel_ha if budget.unit == "share" else 1.0)
-        return Budget(hectares, "cost").affordable(self.walls["area_ha"].to_numpy())
+        return Budget(_money(budget, self.fuel_ha), "cost").affordable(self.walls["area_ha"].to_numpy())
 
     def breaks(self, budget: Budget) -> LineBreaks | None:
         """The walls that a budget pays, on the grid; None if it pays none."""
@@ -160,9 +159,10 @@ def design_lines(
     network.grid.require_metres("lines with a width")
     first = part(progress, 0.0, 0.7 if trial else 1.0)
     grid = network.grid
+    money = _money(budget, network.n_burnable * grid.cell_area_ha)
     for each in sizes:
         cuts = dissect_by_lines(network, stakes, directions=directions, smallest=each, threads=threads, progress=first)
-        if sum(_each(cuts, budget, width or WIDTHS[-1], grid)) >= _money(budget, network):
+        if _each(cuts, budget, width or WIDTHS[-1], grid).sum() >= money:
             break
     drawing = partial(_drawn, cuts, network, stakes, budget, hold=Hold() if trial is None else trial.fires.holding)
     if trial is None or (width is not None and trial.fires.holding.perfect):
@@ -204,7 +204,7 @@ def _drawn(
         [cut.parent for cut in cuts],
     )
     fuel_ha = network.n_burnable * grid.cell_area_ha
-    money = _money(budget, network)
+    money = _money(budget, fuel_ha)
     each = _each(cuts, budget, width, grid)
     order = paid_first(order, each, [cut.parent for cut in cuts], money)
     # Beyond the budget for the curve about it.
@@ -231,9 +231,9 @@ def _drawn(
     return LineDesign(walls, grid, fuel_ha, float(width), told)
 
 
-def _money(budget: Budget, network: SpreadNetwork) -> float:
+def _money(budget: Budget, fuel_ha: float) -> float:
     """What there is, in hectares or money."""
-    return budget.amount * (network.n_burnable * network.grid.cell_area_ha if budget.unit == "share" else 1.0)
+    return budget.amount * (fuel_ha if budget.unit == "share" else 1.0)
 
 
 def _each(cuts: list[LineCut], budget: Budget, width: float, grid: Grid) -> np.ndarray:

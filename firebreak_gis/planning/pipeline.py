@@ -150,7 +150,7 @@ def plan(
         Width of breaks that are lines [m], which the method `dissection` plans; the budget counts length times width.
         `"auto"`: with `hold` by flames, the width with which fires take least. `"cells"`: breaks are whole cells, as in
         the paper. None: lines as wide as a cell, at most 30 m, where they can be planned and judged; cells elsewhere
-        (another method, no clock, breaks that leak, what lines cannot have), see `designs.lines.usual`.
+        (another method, no clock, breaks that leak, what lines cannot have, large maps), see `designs.lines.usual`.
     years
         Over how many years the plan is built and kept up, see `years.YearsRequest`; default: all at once.
     ignitions, ignition_mode, n_runs, seed, threads, progress

@@ -62,7 +62,7 @@ class Setting:
     threads
         Threads to use; None: all.
     lines_usual
-        Whether nobody said what breaks are: lines, if they are, for being usual.
+        Whether nobody said what breaks are, so that cells may stand in for lines that the budget does not pay.
     """
 
     request: PlanRequest

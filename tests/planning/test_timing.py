@@ -12,6 +12,8 @@ import firebreak_gis as fb
 from firebreak_gis.breaks import Budget
 from firebreak_gis.cli import firebreak
 from firebreak_gis.planning import timing
+from firebreak_gis.planning.pipeline import make_plan
+from firebreak_gis.planning.request import PlanRequest
 from firebreak_gis.planning.timing import (
     Estimate,
     by_pieces,
@@ -24,6 +26,7 @@ from firebreak_gis.planning.timing import (
 from firebreak_gis.progress import COMPILING
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.request import FireRequest
+from firebreak_gis.stakes import StakePlanes
 
 
 class Clock:
@@ -346,6 +349,9 @@ def test_plans_of_lines_are_foreseen_by_lines(sample, monkeypatch):
     monkeypatch.setattr(timing, "_SMALL", 0)
     fb.plan(sample, n_runs=2)
     assert not asked  # nobody looks
+    make_plan(sample, PlanRequest(fires=FireRequest(n_runs=2)), StakePlanes(), foreseen=lambda estimate: None)
+    assert asked
+    asked.clear()
     network = fb.spread_network(sample)
     ranking_seconds(network, "dissection", stakes=fb.Stakes(network), budget=Budget(0.1), lines=True)
     assert asked
