@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -242,16 +242,6 @@ def checked_amounts(network: SpreadNetwork, data: Plane, what: str) -> np.ndarra
         if not np.isfinite(values.sum()):
             raise InputError(f"{what} goes up to {values.max():g}, its sum is infinite; take a greater unit")
     return values
-
-
-def beside(cut: Any, standing: np.ndarray | None) -> Any:
-    """Breaks, and cells of breaks that stand already, (rows, cols) bool; None for none.
-
-    Where none stand, breaks of any kind stay what they are; beside others they are cells.
-    """
-    if standing is None or not standing.any():
-        return cut
-    return standing if cut is None else standing | (np.asarray(cut) > 0)
 
 
 def with_barriers(network: SpreadNetwork, barriers: Plane) -> SpreadNetwork:

@@ -90,6 +90,8 @@ class LineBreaks:
         The ground that the lines take.
     grid
         The grid.
+    cells
+        (rows, cols) bool: whole cells that are cut beside the lines; None for none.
     """
 
     lines: gpd.GeoDataFrame
@@ -100,6 +102,7 @@ class LineBreaks:
     whole: np.ndarray
     cleared: Cleared
     grid: Grid
+    cells: np.ndarray | None = None
 
     @property
     def area_ha(self) -> float:
@@ -111,7 +114,8 @@ class LineBreaks:
         here = rows, cols
         planes = {name: getattr(self, name)[here] for name in ("crossed", "width", "line", "along", "whole")}
         cleared = self.cleared.window(rows, cols, self.crossed.shape[1])
-        return replace(self, **planes, cleared=cleared, grid=grid)
+        cells = None if self.cells is None else self.cells[here]
+        return replace(self, **planes, cleared=cleared, grid=grid, cells=cells)
 
     def stretches(self, length: float) -> np.ndarray:
         """Number of the stretch along its line in which each cell lies, (rows, cols) uint32, even.
@@ -122,14 +126,19 @@ class LineBreaks:
         return _stretches(self.line, self.along, self.whole, length)
 
     def parted(self, network: SpreadNetwork, *, residual: Residual = 0.0) -> SpreadNetwork:
-        """Return a network with the lines in it: an edge across keeps `residual`, the share of the cell it leads to."""
+        """Return a network with the lines in it: an edge across keeps `residual`, the share of the cell it leads to.
+
+        So does an edge into a cell that is cut, see `SpreadNetwork.treated`, but once if it also crosses a line.
+        """
         kept = np.broadcast_to(network.kept_share(residual).astype(np.float32), network.shape)
         network.grid.require(self.grid, "the lines")
+        cells = np.zeros(network.shape, bool) if self.cells is None else self.cells
         values = network.probability.copy()
         for d in range(8):
-            across = (self.crossed >> d) & 1 > 0
+            across = ((self.crossed >> d) & 1 > 0) & ~neighbour(cells, d, network.boundary)
             values[d][across] *= neighbour(kept, d, network.boundary)[across]
-        return network.derived(probability=values)
+        lined = network.derived(probability=values)
+        return lined if self.cells is None else lined.treated(cells, residual=residual)
 
     def spared(self, network: SpreadNetwork, *, residual: Residual = 0.0) -> np.ndarray:
         """Ground of each cell that does not burn with it where all lines hold, (n_cells,) int64 of `GROUND`."""
@@ -153,6 +162,20 @@ def on_cells(
 ) -> np.ndarray | LineBreaks | None:
     """Breaks that have been held against the grid of a network, as they are sent: (rows, cols) bool, or lines."""
     return breaks if breaks is None or isinstance(breaks, LineBreaks) else network.mask(breaks, what)
+
+
+def beside(
+    cut: np.ndarray | xr.DataArray | LineBreaks | None, standing: np.ndarray | None
+) -> np.ndarray | xr.DataArray | LineBreaks | None:
+    """Breaks, and cells of breaks that stand already, (rows, cols) bool; None for none.
+
+    Lines stay lines, with those cells; all else becomes cells.
+    """
+    if standing is None or not standing.any():
+        return cut
+    if isinstance(cut, LineBreaks):
+        return replace(cut, cells=standing)
+    return standing if cut is None else standing | (np.asarray(cut) > 0)
 
 
 def line_breaks(source: Source, grid: Grid, *, width: float | str, what: str = "breaks") -> LineBreaks:

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from firebreak_gis.landscape.lines import beside
 from firebreak_gis.progress import part, silent
 from firebreak_gis.simulation.ground_fires import MapInMemory, burn_on, by_windows
 from firebreak_gis.simulation.holding import build_walls
 from firebreak_gis.simulation.ignitions import Ignitions
 from firebreak_gis.simulation.timed import Spaces, containment, made_ready
 from firebreak_gis.simulation.windows import passing_windows
-from firebreak_gis.stakes import beside
 from firebreak_gis.threads import run_pieces
 
 if TYPE_CHECKING:

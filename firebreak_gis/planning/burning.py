@@ -11,6 +11,7 @@ import numpy as np
 from firebreak_gis import memory
 from firebreak_gis.breaks import select_breaks
 from firebreak_gis.evaluation.curves import ByBudget, evaluate_fires
+from firebreak_gis.landscape.lines import beside
 from firebreak_gis.planning.budgets import default_budgets, few_budgets
 from firebreak_gis.planning.designs import lines
 from firebreak_gis.planning.timing import fire_seconds, ranking_seconds
@@ -18,7 +19,6 @@ from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.ranking import rank
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.ground_fires import burn_on
-from firebreak_gis.stakes import beside
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -140,10 +140,12 @@ def _curves(
 
 
 def _beside_standing(ranked: xr.DataArray | ByBudget, setting: Setting) -> xr.DataArray | ByBudget:
-    """What a curve burns: where breaks stand already, the cells of each budget with them."""
+    """What a curve burns: where breaks stand already, those of each budget with them."""
     network, standing = setting.network, setting.standing
-    if standing is None or isinstance(ranked, ByBudget):
+    if standing is None:
         return ranked
+    if isinstance(ranked, ByBudget):
+        return ByBudget(lambda budget: beside(ranked.breaks(budget), standing))
     return ByBudget(lambda budget: beside(select_breaks(ranked, budget=budget, burnable=network.burnable), standing))
 
 

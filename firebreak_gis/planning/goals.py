@@ -16,8 +16,9 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeVar
 import numpy as np
 
 from firebreak_gis.evaluation.measures import BOUNDS, WORST, resamples, worst_mean
+from firebreak_gis.landscape.lines import beside
 from firebreak_gis.progress import Progress, part
-from firebreak_gis.stakes import Stakes, beside
+from firebreak_gis.stakes import Stakes
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -157,7 +157,7 @@ def settle(landscape: xr.Dataset, request: PlanRequest, planes: StakePlanes, *, 
     if planes.ignition is not None and fires.ignitions is None:
         fires = replace(fires, ignitions=stakes.ignition)
     judged = replace(scene.judging(fires, timeless=request.timeless), sited=sited.told)
-    asked = replace(asked, line_width=lines.usual(request, judged, network, planes))
+    asked = replace(asked, line_width=lines.usual(request, judged, network))
     starts: list[Ignitions] = []
 
     def start() -> Ignitions:

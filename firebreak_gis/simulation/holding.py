@@ -297,7 +297,7 @@ def build_walls(
     keys
         (n_runs,) uint64 keys of the runs for the purpose `hold`.
     breaks
-        (y, x), above 0 where the fuel is cut; or lines; or None.
+        (y, x), above 0 where the fuel is cut; or lines, perhaps with cells; or None.
     residual
         Share of its spread probability that a treated cell keeps where it holds, one number or (y, x).
     hold
@@ -328,14 +328,18 @@ def build_walls(
     near = np.zeros(network.shape, bool)
     chance = np.zeros(network.shape)
     crossed, line_holds, line_stretch = no_links, none, none
+    cells: np.ndarray | xr.DataArray | None
     if isinstance(breaks, LineBreaks):
         network.grid.require(breaks.grid, "the lines")
         crossed = breaks.crossed.ravel()
         line_holds = _digits(chances_by_width(network, breaks.width, hold, intensity))
         line_stretch = breaks.stretches(hold.length).ravel()
         near |= breaks.crossed > 0
-    elif breaks is not None:
-        chance = chances(network, network.mask(breaks, "breaks"), hold, intensity)
+        cells = breaks.cells
+    else:
+        cells = breaks
+    if cells is not None:
+        chance = chances(network, network.mask(cells, "breaks"), hold, intensity)
     stretch = 2 * stretches(network.shape, network.grid.cell_size, hold.length, window)
     if barriers is not None:
         barrier = network.mask(barriers, "barriers") & (chance < barriers_hold)

@@ -119,7 +119,7 @@ def _burn_here(
 
     n_runs, seed = request.n_runs, request.seed
     cells = start.cells
-    burnt_network = network
+    burnt_network, cut = network, None
     ground, spared = NOTHING_SPARED
     if isinstance(breaks, LineBreaks):
         burnt_network = breaks.parted(network, residual=request.residual)
@@ -127,9 +127,12 @@ def _burn_here(
         value = None if value is None else value * (1.0 - ground / GROUND)
         closed = np.where(network.kept_share(request.residual).ravel() == 0.0, ground, 0)
         cells = off_ground(run_keys(seed, "ground", n_runs, start.first_run), start.starts, cells, closed)
+        cut = breaks.cells
     elif breaks is not None:
-        burnt_network = network.treated(breaks, residual=request.residual)
-        perfect = network.mask(breaks, "breaks") & (network.kept_share(request.residual) == 0.0)
+        cut = network.mask(breaks, "breaks")
+        burnt_network = network.treated(cut, residual=request.residual)
+    if cut is not None:
+        perfect = cut & (network.kept_share(request.residual) == 0.0)
         cells = np.where(perfect.ravel()[cells], -1, cells)
     fires = _Fires(burnt_network, start.starts, cells, n_runs=n_runs, first_run=start.first_run, seed=seed)
     counts = np.zeros(network.burnable.size, np.uint32)

@@ -34,7 +34,7 @@ from firebreak_gis.simulation.embers import as_embers
 from firebreak_gis.simulation.fires import burn
 from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.request import FireRequest
-from firebreak_gis.stakes import StakePlanes, Stakes
+from firebreak_gis.stakes import Stakes
 
 #: The same three layers under both winds.
 WINDS: Mapping[str, tuple[SpreadRequest, WeatherRequest]] = {
@@ -130,7 +130,7 @@ class Stage:
                 self._today[plan, row.d_f] = self._design(row, method, residual, params)
             return self._today[plan, row.d_f]
         trial = Trial(self.ground, row.fires, self.stakes, seed=0)
-        width = usual(PlanRequest(fires=row.fires), self.scene.judging(row.fires), self.network, StakePlanes())
+        width = usual(PlanRequest(fires=row.fires), self.scene.judging(row.fires), self.network)
         if width != "cells":
             budget = Budget(row.d_f)
             found = design_lines(self.network, stakes=self.stakes, budget=budget, width=float(width), trial=trial)

@@ -17,11 +17,11 @@ from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.kernels import draws
 from firebreak_gis.kernels.walls import GROUND
-from firebreak_gis.landscape.lines import line_breaks, links_crossed
+from firebreak_gis.landscape.lines import beside, line_breaks, links_crossed
 from firebreak_gis.lattice import COL_STEP, NEVER, OPPOSITE, ROW_STEP
 from firebreak_gis.network import neighbour
 from firebreak_gis.simulation.embers import Embers, what_flies, wind_of
-from firebreak_gis.simulation.holding import Hold, breach, fire_before
+from firebreak_gis.simulation.holding import Hold, breach, chances, fire_before, stretches
 from firebreak_gis.simulation.products import Products
 from tests.twins.arrival import Fire
 from tests.twins.percolation import word
@@ -134,6 +134,21 @@ def keyed_holds(breaks, key, hold, chance, network):
     return frozenset(held)
 
 
+def old_break(network):
+    """A break of whole cells across the map, two wide on one half."""
+    cells = np.zeros(network.shape, bool)
+    cells[network.shape[0] // 2] = True
+    cells[network.shape[0] // 2 + 1, : network.shape[1] // 2] = True
+    return cells
+
+
+def cells_that_hold(cells, key, hold, network):
+    """Cut cells that hold in a run, in plain Python."""
+    chance, stretch = chances(network, cells, hold).ravel(), 2 * stretches(network.shape, 20.0, hold.length).ravel()
+    often = {c: float(chance[c]) for c in np.flatnonzero(cells.ravel()).tolist()}
+    return frozenset(c for c, p in often.items() if p >= 1 or word(key, int(stretch[c])) >> 32 < round(p * 2**32))
+
+
 def spared_by_hand(breaks, key, hold, kept, network):
     """Share of each cell that does not burn with it in a run, in plain Python."""
     chance = np.full(breaks.cleared.cell.size, hold.share)
@@ -152,9 +167,11 @@ def spared_by_hand(breaks, key, hold, kept, network):
 @pytest.mark.parametrize("hold", [Hold(1.0), Hold(0.5, length=60.0), Hold(share=None, length=100.0)])
 @pytest.mark.parametrize("residual", [0.0, 0.4])
 @pytest.mark.parametrize("flying", [False, True])
-def test_fires_with_lines_are_those_of_the_twin(hold, residual, flying):
+@pytest.mark.parametrize("with_cells", [False, True])
+def test_fires_with_lines_are_those_of_the_twin(hold, residual, flying, with_cells):
     network = network_of(3)
-    breaks = breaks_of(4, network, width=np.array([2.0, 9.0, 15.0, 40.0]))
+    lines = breaks_of(4, network, width=np.array([2.0, 9.0, 15.0, 40.0]))
+    breaks = beside(lines, old_break(network)) if with_cells else lines
     fuel = network.burnable.ravel()
     cells = [c for c in np.unique(breaks.cleared.cell).tolist() if fuel[c]][30:50:5]
     embers = Embers(rate=20_000.0, wind_speed=5.0, wind_from_direction=10.0) if flying else None
@@ -184,11 +201,12 @@ def test_fires_with_lines_are_those_of_the_twin(hold, residual, flying):
     for run in range(40):
         key = int(keys["hold"][run])
         held = keyed_holds(breaks, key, hold, chance, network)
+        stands = cells_that_hold(breaks.cells, key, hold, network) if with_cells else frozenset()
         ground = spared_by_hand(breaks, key, hold, residual, network)
         given = {"key": int(keys["edges"][run]), "times": [network.travel_time], "limit": 3000, "residual": residual}
         given |= {"embers": thrown, "ember_key": int(keys["embers"][run]), "ground_key": int(keys["ground"][run])}
         lit = dict.fromkeys(cells, 0)
-        expected = Fire(network, parted=held, ground=ground, **given).burn(lit)
+        expected = Fire(network, parted=held, stands=stands, ground=ground, **given).burn(lit)
         found = burns["arrival"][run].to_numpy().ravel()
         assert {c: int(found[c]) for c in np.flatnonzero(found != NEVER).tolist()} == expected
         stopped += len(Fire(network, **given).burn(lit)) > len(expected)
@@ -232,9 +250,11 @@ def test_runs_with_lines_do_not_depend_on_threads_or_on_how_they_are_split():
 
 
 @pytest.mark.parametrize("residual", [0.0, 0.3])
-def test_without_a_clock_lines_are_those_of_the_slow_path(residual):
+@pytest.mark.parametrize("with_cells", [False, True])
+def test_without_a_clock_lines_are_those_of_the_slow_path(residual, with_cells):
     network = network_of(7)
-    given = {"breaks": breaks_of(6, network), "residual": residual, "n_runs": 100, "seed": 2}
+    breaks = beside(breaks_of(6, network), old_break(network) if with_cells else None)
+    given = {"breaks": breaks, "residual": residual, "n_runs": 100, "seed": 2}
     fast = simulate(network, **given)
     slow = simulate(network, **given, hold=Hold(1.0), products=EACH)
     np.testing.assert_array_equal(slow["fire_size"], fast["fire_size"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import itertools
 import json
+from dataclasses import replace
 
 import geopandas as gpd
 import numpy as np
@@ -20,6 +21,7 @@ from firebreak_gis.construction.years import RETURN, mean_rates, return_interval
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.existing import existing_breaks
+from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.planning.pipeline import plan
 from firebreak_gis.planning.years import YearsRequest, over_years
 from tests.places import three, write
@@ -212,7 +214,7 @@ def test_existing_breaks_stand_before_and_after(old):
     """Fires before are those with the existing breaks, after those with both; the plan pays for none of their cells."""
     land, existing = old
     given = {"budget": 0.06, "n_runs": 40, "seed": 4}
-    made = plan(land, existing=existing, **given)
+    made = plan(land, existing=existing, line_width="cells", **given)
     cut, there = made.breaks.to_numpy() > 0, existing.mask((24, 41))
     assert not (cut & there).any()
     fires = {"hold": made.judged.fires.hold, "duration": made.judged.fires.duration, "n_runs": 40, "seed": 4}
@@ -229,10 +231,38 @@ def test_existing_breaks_stand_before_and_after(old):
     area = made.network.grid.cell_area_ha
     assert worth[0] == pytest.approx(float(alone - made.after["fire_size"].mean()) * area)
     assert worth[0] > abs(worth[1])
-    with pytest.raises(ParameterError, match="whole cells"):
-        plan(land, existing=existing, line_width=5.0, **given)
     with pytest.raises(ParameterError, match="no existing breaks"):
         _ = plan(land, method="degree", **given).existing
+
+
+def test_lines_beside_existing_breaks(old):
+    """Fires meet both; no line is laid on what is cut already, and over years each may be dropped."""
+    land, existing = old
+    made = plan(land, existing=existing, budget=0.06, n_runs=60, seed=4, years=YearsRequest(3, fires_per_year=2.0))
+    there, laid = existing.mask((24, 41)), made.design.laid
+    assert isinstance(laid, LineBreaks)
+    assert laid.cells is None
+    assert made.parameters["line_width"] == made.network.grid.cell_size
+    timed = fb.spread_network(land, clock=True)
+    fires = {"hold": made.judged.fires.hold, "duration": made.judged.fires.duration, "n_runs": 60, "seed": 4}
+    fires["ignitions"] = made.judged.fires.ignitions
+    both = replace(laid, cells=there)
+    for breaks, burnt in ((there, made.before), (both, made.after)):
+        again = fb.simulate(timed, breaks=breaks, **fires)
+        np.testing.assert_array_equal(again["fire_size"], burnt["fire_size"])
+        np.testing.assert_array_equal(again["burn_count"], burnt["burn_count"])
+    assert made.after["fire_size"].sum() < 0.95 * made.before["fire_size"].sum()
+    curve = made.evaluation["burnt_cells"].sel(ranking="dissection")
+    np.testing.assert_array_equal(curve.sel(budget=made.share), made.after["fire_size"])
+    np.testing.assert_array_equal(curve.sel(budget=0.0), made.before["fire_size"])
+    middle = made.walls.geometry.interpolate(0.5, normalized=True)
+    old_ground = existing.frame.geometry.union_all()
+    assert not middle.within(old_ground).any()
+    worth = made.existing["worth_ha"].to_numpy()
+    alone = fb.simulate(timed, breaks=replace(laid, cells=columns_of((24, 41), 40)), **fires)["fire_size"].mean()
+    area = made.network.grid.cell_area_ha
+    assert worth[0] == pytest.approx(float(alone - made.after["fire_size"].mean()) * area)
+    assert made.years.table["existing_ha"].iloc[0] > 0
 
 
 def test_existing_breaks_are_kept_up_or_dropped(old):

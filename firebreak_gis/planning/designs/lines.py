@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from firebreak_gis.planning.request import DesignRequest, PlanRequest
     from firebreak_gis.planning.setting import Setting
     from firebreak_gis.progress import Progress
-    from firebreak_gis.stakes import StakePlanes
 
 ORDER = 50
 
@@ -43,7 +42,7 @@ def asked(request: DesignRequest) -> bool:
     return request.line_width not in (None, "cells")
 
 
-def usual(request: PlanRequest, judged: Judging, network: SpreadNetwork, planes: StakePlanes) -> Widths:
+def usual(request: PlanRequest, judged: Judging, network: SpreadNetwork) -> Widths:
     """The width that is asked for, or where none is, the usual one; "cells" where lines cannot be planned or judged.
 
     Fires without a clock are those of the paper, whose breaks are cells; where breaks leak, cells can be cut several
@@ -53,7 +52,7 @@ def usual(request: PlanRequest, judged: Judging, network: SpreadNetwork, planes:
     if design.line_width is not None:
         return design.line_width
     others = set(design.method_params) - PARAMS
-    if others or _refused(design) or planes.existing is not None or not judged.clock or judged.fires.leaks:
+    if others or _refused(design) or not judged.clock or judged.fires.leaks:
         return "cells"
     if not network.grid.in_metres or network.boundary != "open" or network.n_burnable > LARGEST:
         return "cells"
@@ -95,8 +94,6 @@ def _refused(design: DesignRequest) -> list[str]:
 def make(setting: Setting, rest: Rest, progress: Progress) -> Design:
     """Find the walls; cells where lines are only the usual, and the budget pays no wall."""
     request, width = setting.request.design, setting.request.design.line_width
-    if setting.standing is not None:
-        raise ParameterError("--existing stands beside breaks of whole cells; leave --existing or --line-width out")
     assert width is not None
     assert width != "cells"
     found = design_lines(
