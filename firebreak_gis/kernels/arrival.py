@@ -217,7 +217,8 @@ def burn_run(
     limit = starts.limit[run]
     awaited = walls.crews.size > 0
     clears = cleared.ground.shape[0] > 0
-    walled, throws, periodic = near.size > 0, embers.mean.size > 0, positions.size > 0
+    expected, ember_key = embers.mean, embers.keys[run]
+    walled, throws, periodic = near.size > 0, expected.size > 0, positions.size > 0
     stride = np.uint64(seconds.size // (ends.size + 1))
     a_cell = _EIGHT if stride > _EIGHT else _ZERO  # times of an edge from one cell to the next
     below = offsets[0, 4]
@@ -306,7 +307,7 @@ def burn_run(
                 if awaited and shut and manned(walls, targets[found], times[found]):
                     continue
                 found += 1
-            if throws:
+            if throws and flying.may_throw(expected, ember_key, step, cell, here):
                 found = _throw(embers, walls, cleared, run, step, cell, t, steps, targets, times, found)
         for k in range(found):
             target = targets[k]

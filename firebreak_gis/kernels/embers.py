@@ -61,19 +61,25 @@ class Embers(NamedTuple):
 
 
 @inlined
+def may_throw(mean: np.ndarray, key: np.uint64, step: int, cell: np.uint64, here: np.uint64) -> bool:
+    """Whether `number` may be above 0, from `Embers.mean` and the key of the run; mostly not, so it spares the call."""
+    expected = np.float64(mean[step, cell])
+    return expected > 0.0 and uniform(key, here * _WORDS) >= 1.0 - expected  # exp(-mean) is larger
+
+
+@inlined
 def number(embers: Embers, run: int, step: int, cell: np.uint64, here: np.uint64) -> int:
     """Embers that a cell, number `here` on the whole map, throws in the run: a Poisson number of at most `MOST`."""
     mean = np.float64(embers.mean[step, cell])
     count = 0
     if mean > 0.0:
         u = uniform(embers.keys[run], here * _WORDS)
-        if u >= 1.0 - mean:  # exp(-mean) is larger
-            share = np.exp(-mean)
-            total = share
-            while u >= total and count < MOST:
-                count += 1
-                share *= mean / count
-                total += share
+        share = np.exp(-mean)
+        total = share
+        while u >= total and count < MOST:
+            count += 1
+            share *= mean / count
+            total += share
     return count
 
 

@@ -121,17 +121,19 @@ def add_run(
                 tally.reached[run] = True
                 return
     burnt = np.int64(size) * tally.unit
+    first, none = cleared.first, np.uint32(cleared.ground.shape[0])  # a look that spares most calls
     for i in range(size):
         tally.counts[order[i]] += np.uint32(1)
     if tally.unit > 1:
         for i in range(size):
-            burnt -= spared(walls, cleared, run, np.uint64(order[i]), arrival[order[i]])
+            if first[order[i]] < none:
+                burnt -= spared(walls, cleared, run, np.uint64(order[i]), arrival[order[i]])
     tally.sizes[run] = burnt
     if tally.value.size > 0:
         total = 0.0
         for i in range(size):
             share = 1.0
-            if tally.unit > 1:
+            if tally.unit > 1 and first[order[i]] < none:
                 share -= spared(walls, cleared, run, np.uint64(order[i]), arrival[order[i]]) / tally.unit
             total += tally.value[order[i]] * share
         tally.lost[run] = total
@@ -167,6 +169,7 @@ def _by_time(
     cleared: Cleared,
 ) -> None:
     edges = tally.edges
+    first, none = cleared.first, np.uint32(cleared.ground.shape[0])
     k = 0
     for i in range(size):
         cell = order[i]
@@ -181,7 +184,7 @@ def _by_time(
                 tally.by_time[cell, k] += np.uint32(1)
             if tally.growth.size > 0:
                 tally.growth[run, k] += tally.unit
-                if tally.unit > 1:
+                if tally.unit > 1 and first[cell] < none:
                     tally.growth[run, k] -= spared(walls, cleared, run, np.uint64(cell), t)
     if tally.growth.size > 0:
         for k in range(1, edges.size):
