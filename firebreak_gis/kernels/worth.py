@@ -17,30 +17,35 @@ from firebreak_gis.kernels.buckets import DONE
 from firebreak_gis.kernels.draws import Thresholds
 from firebreak_gis.kernels.embers import Embers
 from firebreak_gis.kernels.percolation import Steps
-from firebreak_gis.kernels.policy import kernel
-from firebreak_gis.kernels.walls import Cleared, Walls, stands
+from firebreak_gis.kernels.policy import inlined, kernel
+from firebreak_gis.kernels.walls import Cleared, Walls, parted, stands
 
 _ONE = np.uint64(1)
+_EIGHT = np.uint64(8)
 _LOST, _BESIDE = np.uint8(1), np.uint8(2)
 
 
 class Parts(NamedTuple):
-    """Parts of breaks that are built or may be; no cell is in two of them.
+    """Parts of breaks that are built or may be: cells, or links that lines cross; none is in two of them.
 
     Parameters
     ----------
     first, cells
-        Row-major cells of part p are ``cells[first[p]:first[p + 1]]``, int64.
+        Row-major cells of part p are ``cells[first[p]:first[p + 1]]``, int64; of lines, the cells from which its links
+        go, both of each link.
+    towards
+        (n,) uint8, of lines the directions of those links; empty where parts are cells.
     of
-        (n_cells,) int32 part of each cell, -1 for none.
+        (n_cells,) int32 part of each cell, -1 for none; of lines (8 * n_cells,), direction by direction, cell by cell.
     built
         (n_parts,) bool.
     cut, uncut
-        (n_cells,) uint32 as `Walls.holds`: where the cell is cut, and where it is not.
+        (n_cells,) uint32 as `Walls.holds`: where the cell is cut, and where it is not; empty where parts are lines.
     """
 
     first: np.ndarray
     cells: np.ndarray
+    towards: np.ndarray
     of: np.ndarray
     built: np.ndarray
     cut: np.ndarray
@@ -118,7 +123,7 @@ def worth(
     thresholds, keys, steps, clock, starts, cleared, embers, space, runs
         As in `arrival.burn_timed`.
     walls
-        Breaks with the built parts; `holds` belongs to the thread, `near` is set beside all parts.
+        Breaks with the built parts; `holds` and `crossed` belong to the thread, `near` is set beside all parts.
     value
         (n_cells,) float64 lost when the cell burns.
     parts, memory
@@ -150,7 +155,7 @@ def worth(
             built = parts.built[part]
             if not built:
                 _set(walls, parts, part, True)
-            if _holds(walls, parts, part, run):
+            if _holds(walls, steps, parts, part, run):
                 removed = 0.0
                 count = 0
                 if built:
@@ -187,44 +192,69 @@ def worth(
 def _set(walls: Walls, parts: Parts, part: int, cut: bool) -> None:
     for i in range(parts.first[part], parts.first[part + 1]):
         cell = parts.cells[i]
-        walls.holds[cell] = parts.cut[cell] if cut else parts.uncut[cell]
+        if parts.towards.size > 0:
+            bit = np.uint8(1) << parts.towards[i]
+            walls.crossed[cell] = walls.crossed[cell] | bit if cut else walls.crossed[cell] & ~bit
+        else:
+            walls.holds[cell] = parts.cut[cell] if cut else parts.uncut[cell]
 
 
 @kernel
-def _holds(walls: Walls, parts: Parts, part: int, run: int) -> bool:
-    """Whether any cell of a part holds in the run."""
-    held = False
+def _holds(walls: Walls, steps: Steps, parts: Parts, part: int, run: int) -> bool:
+    """Whether any cell or link of a part holds in the run."""
     for i in range(parts.first[part], parts.first[part + 1]):
-        held = held or stands(walls, run, np.uint64(parts.cells[i]))
-    return held
+        cell = np.uint64(parts.cells[i])
+        if parts.towards.size > 0:
+            d = parts.towards[i]
+            if parted(walls, run, cell, cell + steps.offsets[0, d], d):
+                return True
+        elif stands(walls, run, cell):
+            return True
+    return False
 
 
 @kernel
 def _touched(steps: Steps, starts: Starts, parts: Parts, memory: Kept, run: int, size: int) -> int:
-    """List the built parts that are lit or lie beside burnt cells, and the others in which cells burn."""
+    """List the built parts that are lit or lie beside burnt cells, and the others in or across which fire goes."""
+    # Arrays by plain names in the loops over what burns: each look-up in a tuple costs more than the rest of a step.
+    of, built, seen, touched = parts.of, parts.built, memory.seen, memory.touched
+    order, parent, offsets, positions = memory.order, memory.parent, steps.offsets, steps.position
+    n_cells = np.uint64(memory.arrival.size)
     count = 0
+    if parts.towards.size > 0:
+        for i in range(size):
+            cell = np.uint64(order[i])
+            for d in range(8):
+                own = of[_EIGHT * cell + np.uint64(d)]
+                if own < 0 or seen[own]:
+                    continue
+                if built[own] or parent[cell] == np.uint32(cell + offsets[0, d]):
+                    seen[own] = True
+                    touched[count] = own
+                    count += 1
+        return count
     for i in range(starts.first[run], starts.first[run + 1]):
         if starts.cells[i] >= 0:
-            own = parts.of[starts.cells[i]]
-            if own >= 0 and not memory.seen[own]:
-                memory.seen[own] = True
-                memory.touched[count] = own
+            own = of[starts.cells[i]]
+            if own >= 0 and not seen[own]:
+                seen[own] = True
+                touched[count] = own
                 count += 1
     for i in range(size):
-        cell = np.uint64(memory.order[i])
-        own = parts.of[cell]
-        if own >= 0 and not parts.built[own] and not memory.seen[own]:
-            memory.seen[own] = True
-            memory.touched[count] = own
+        cell = np.uint64(order[i])
+        own = of[cell]
+        if own >= 0 and not built[own] and not seen[own]:
+            seen[own] = True
+            touched[count] = own
             count += 1
-        position = steps.position[cell] if steps.position.size > 0 else np.uint8(0)
+        position = positions[cell] if positions.size > 0 else np.uint8(0)
         for d in range(8):
-            beside = cell + steps.offsets[position, d]
-            if beside < np.uint64(parts.of.size):
-                other = parts.of[beside]
-                if other >= 0 and parts.built[other] and not memory.seen[other]:
-                    memory.seen[other] = True
-                    memory.touched[count] = other
+            beside = cell + offsets[position, d]
+            if beside < n_cells:
+                other = of[beside]
+                if other >= 0 and built[other] and not seen[other]:
+                    seen[other] = True
+                    touched[count] = other
                     count += 1
     return count
 
@@ -235,21 +265,31 @@ def _lit_in(starts: Starts, parts: Parts, part: int, memory: Kept, run: int) -> 
     count = 0
     for i in range(starts.first[run], starts.first[run + 1]):
         cell = starts.cells[i]
-        if cell >= 0 and (memory.mark[cell] == _LOST or (memory.arrival[cell] == UNSEEN and parts.of[cell] == part)):
-            memory.seeds[count] = cell
-            memory.at[count] = starts.at[i]
-            count += 1
+        if cell >= 0:
+            unburnt = parts.towards.size == 0 and memory.arrival[cell] == UNSEEN and parts.of[cell] == part
+            if memory.mark[cell] == _LOST or unburnt:
+                memory.seeds[count] = cell
+                memory.at[count] = starts.at[i]
+                count += 1
     return count
 
 
-@kernel
-def _seed(cell: np.uint64, memory: Kept, space: Workspace, count: int) -> int:
+@inlined
+def _seed(
+    cell: np.uint64,
+    count: int,
+    mark: np.ndarray,
+    arrival: np.ndarray,
+    seeds: np.ndarray,
+    at: np.ndarray,
+    again: np.ndarray,
+) -> int:
     """Let fire go on from a burnt cell, once."""
-    if memory.arrival[cell] != UNSEEN and memory.mark[cell] == 0:
-        memory.mark[cell] = _BESIDE
-        memory.seeds[count] = np.int64(cell)
-        memory.at[count] = memory.arrival[cell]
-        space.arrival[cell] = UNSEEN
+    if arrival[cell] != UNSEEN and mark[cell] == 0:
+        mark[cell] = _BESIDE
+        seeds[count] = np.int64(cell)
+        at[count] = arrival[cell]
+        again[cell] = UNSEEN
         count += 1
     return count
 
@@ -259,14 +299,20 @@ def _beside_part(
     steps: Steps, starts: Starts, parts: Parts, part: int, memory: Kept, space: Workspace, run: int
 ) -> int:
     """Seeds are what is lit in a part, and the burnt cells beside it; return their number."""
+    mark, arrival, seeds, at, again = memory.mark, memory.arrival, memory.seeds, memory.at, space.arrival
+    cells, offsets, positions = parts.cells, steps.offsets, steps.position
+    lines = parts.towards.size > 0
     count = _lit_in(starts, parts, part, memory, run)
     for i in range(parts.first[part], parts.first[part + 1]):
-        cell = np.uint64(parts.cells[i])
-        position = steps.position[cell] if steps.position.size > 0 else np.uint8(0)
+        cell = np.uint64(cells[i])
+        if lines:
+            count = _seed(cell, count, mark, arrival, seeds, at, again)
+            continue
+        position = positions[cell] if positions.size > 0 else np.uint8(0)
         for d in range(8):  # one beyond the border may be any cell, from which fire goes nowhere new
-            beside = cell + steps.offsets[position, d]
-            if beside < np.uint64(parts.of.size):
-                count = _seed(beside, memory, space, count)
+            beside = cell + offsets[position, d]
+            if beside < np.uint64(arrival.size):
+                count = _seed(beside, count, mark, arrival, seeds, at, again)
     return count
 
 
@@ -283,23 +329,29 @@ def _taken_back(
     value: np.ndarray,
 ) -> tuple[float, int]:
     """Take back all that burnt by way of a part; return its value, and the number of seeds beside it."""
+    mark, arrival, seeds, at, again = memory.mark, memory.arrival, memory.seeds, memory.at, space.arrival
+    order, parents, offsets, positions = memory.order, memory.parent, steps.offsets, steps.position
+    cells, towards = parts.cells, parts.towards
+    for i in range(parts.first[part], parts.first[part + 1]):
+        cell = np.uint64(cells[i])
+        if arrival[cell] != UNSEEN and (towards.size == 0 or parents[cell] == np.uint32(cell + offsets[0, towards[i]])):
+            mark[cell] = _LOST
     back = 0.0
     for i in range(size):  # who lights comes before who is lit
-        cell = memory.order[i]
-        parent = memory.parent[cell]
-        if parts.of[cell] == part or (parent != cell and memory.mark[parent] == _LOST):
-            memory.mark[cell] = _LOST
+        cell = order[i]
+        if mark[cell] == _LOST or mark[parents[cell]] == _LOST:
+            mark[cell] = _LOST
             back += value[cell]
-            space.arrival[cell] = UNSEEN
+            again[cell] = UNSEEN
     count = _lit_in(starts, parts, part, memory, run)
     for i in range(size):
-        cell = np.uint64(memory.order[i])
-        if memory.mark[cell] == _LOST:
-            position = steps.position[cell] if steps.position.size > 0 else np.uint8(0)
+        cell = np.uint64(order[i])
+        if mark[cell] == _LOST:
+            position = positions[cell] if positions.size > 0 else np.uint8(0)
             for d in range(8):
-                beside = cell + steps.offsets[position, d]
-                if beside < np.uint64(parts.of.size):
-                    count = _seed(beside, memory, space, count)
+                beside = cell + offsets[position, d]
+                if beside < np.uint64(arrival.size):
+                    count = _seed(beside, count, mark, arrival, seeds, at, again)
     return back, count
 
 

@@ -7,6 +7,7 @@ its width: that ground is no fuel where the line holds, and the rest of the cell
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -124,6 +125,26 @@ class LineBreaks:
         for each `length`. Numbers follow from the line alone: lines that come later change none.
         """
         return _stretches(self.line, self.along, self.whole, length)
+
+    def some(self, chosen: np.ndarray) -> LineBreaks:
+        """Some of the lines alone, (n_lines,) bool, with all cells."""
+        return replace(laid_on(self.lines[chosen], self.grid), cells=self.cells)
+
+    @property
+    def groundless(self) -> LineBreaks:
+        """The same lines, which take no ground."""
+        return replace(self, cleared=Cleared(*(each[:0] for each in self.cleared)))
+
+    @cached_property
+    def owners(self) -> np.ndarray:
+        """The first line that crosses each link, (rows, cols, 8) int32 by their place in `lines`; -1 for none."""
+        owner = np.full((*self.crossed.shape, 8), -1, np.int32)
+        for k in range(len(self.lines)):
+            crossed, rows, cols = _crossed_by(self.lines.iloc[[k]], self.grid)
+            across = (crossed[..., np.newaxis] >> np.arange(8, dtype=np.uint8)) & 1 > 0
+            here = owner[rows, cols]
+            here[across & (here < 0)] = k
+        return owner
 
     def parted(self, network: SpreadNetwork, *, residual: Residual = 0.0) -> SpreadNetwork:
         """Return a network with the lines in it: an edge across keeps `residual`, the share of the cell it leads to.
@@ -326,6 +347,25 @@ def _trace(lines: gpd.GeoDataFrame, grid: Grid) -> _Traced:
     own, run = feature[joined], _run(places, feature)
     whole = run[np.searchsorted(feature, own, "right") - 1]
     return _Traced(ends, metres[own], _marks(at, feature)[own], run[joined], whole)
+
+
+def _crossed_by(lines: gpd.GeoDataFrame, grid: Grid) -> tuple[np.ndarray, slice, slice]:
+    """Bits of the links that lines cross in the window about them, and its rows and columns."""
+    from firebreak_gis.kernels.crossings import PARTS, cross_links
+
+    ends = _trace(lines, grid).ends
+    if not len(ends):
+        return np.zeros((0, 0), np.uint8), slice(0, 0), slice(0, 0)
+    x, y = ends[:, ::2] // PARTS, ends[:, 1::2] // PARTS
+    rows, cols = (
+        slice(max(int(at.min()) - 2, 0), max(min(int(at.max()) + 3, n), 0))
+        for at, n in zip((y, x), grid.shape, strict=True)
+    )
+    shape = (max(rows.stop - rows.start, 0), max(cols.stop - cols.start, 0))
+    crossed, none = np.zeros(shape, np.uint8), np.zeros(len(ends), np.float32)
+    corner = np.array([cols.start, rows.start] * 2, np.int64) * PARTS
+    cross_links(ends - corner, none, crossed, np.zeros(shape, np.float32), np.zeros(shape, np.int64))
+    return crossed, rows, cols
 
 
 def _links(traced: _Traced, grid: Grid) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

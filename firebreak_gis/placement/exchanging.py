@@ -7,6 +7,7 @@ counts its mean over the last rounds; fewer parts change from round to round.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,6 +17,7 @@ from firebreak_gis.progress import part
 from firebreak_gis.simulation.holding import stretches
 
 if TYPE_CHECKING:
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.placement.trial import Trial
     from firebreak_gis.progress import Progress
@@ -27,8 +29,9 @@ _ROUNDS, _REMEMBERED = 8, 6
 _SHARE = 0.2
 #: Times the money that the parts cost among which is chosen.
 _MORE = 2.5
-#: Cells that the fires of a round burn where nothing is cut.
-_WORK = 2.0e6
+_LEAST=16
+#: Cells that the fires of a round burn where nothing is cut; where breaks are lines.
+_WORK, _WORK_OF_LINES = 2.0e6, 1.0e6
 
 
 def exchange(
@@ -78,12 +81,12 @@ def exchange(
     first[wanted[0]] = True
     built = np.array([bool(first[each[0]]) for each in cells], bool)
     n_runs = trial.runs(_WORK)
-    mean = np.zeros(len(cells))
-    for k in range(_ROUNDS if len(cells) else 0):
-        step = part(progress, k / _ROUNDS, (k + 1) / _ROUNDS)
-        worth, _ = trial.worth(cells, built, n_runs=n_runs, first_run=k * n_runs, progress=step)
-        mean += (worth - mean) / min(k + 1, _REMEMBERED)
-        built = exchanged(mean, costs, built, money=money, most=_SHARE * money / (k + 1))
+
+    def worth(built: np.ndarray, first_run: int, step: Progress) -> np.ndarray:
+        return trial.worth(cells, built, n_runs=n_runs, first_run=first_run, progress=step)[0]
+
+    if len(cells):
+        built, _ = in_rounds(worth, costs, built, n_runs=n_runs, rounds=_ROUNDS, money=money, progress=progress)
     after = np.zeros(flat.size, bool)
     after[np.concatenate([*(cells[k] for k in np.flatnonzero(built)), np.zeros(0, np.int64)])] = True
     lost, left = (
@@ -92,6 +95,72 @@ def exchange(
     )
     progress(1.0, "parts exchanged" if left < lost else "plan left as it is")
     return after.reshape(network.shape) if left < lost else None
+
+
+def exchange_lines(
+    laid: LineBreaks, trial: Trial, costs: np.ndarray, built: np.ndarray, *, money: float, progress: Progress
+) -> tuple[np.ndarray, np.ndarray] | None:
+    """Improve breaks that are lines, of one budget.
+
+    Parameters
+    ----------
+    laid
+        Lines that are built and others that may be, those on which others end first.
+    trial
+        As in `exchange`.
+    costs, built
+        (n_lines,) what each takes of the budget; bool.
+    money, progress
+        As in `exchange`.
+
+    Returns
+    -------
+    built, worth
+        (n_lines,) bool what is built then; float64 value that a fire takes more without each, or takes less with it,
+        beside those that are built in the mean. None if no less is lost in other fires.
+    """
+    n_runs = trial.runs(_WORK_OF_LINES, least=_LEAST)
+
+    def worth(built: np.ndarray, first_run: int, step: Progress) -> np.ndarray:
+        return trial.worth_of_lines(laid, built, n_runs=n_runs, first_run=first_run, progress=step)[0]
+
+    after, mean = in_rounds(worth, costs, built, n_runs=n_runs, rounds=_ROUNDS, money=money, progress=progress)
+    lost, left = (
+        trial.losses(laid.some(some), n_runs=2 * n_runs, first_run=_ROUNDS * n_runs).sum() for some in (built, after)
+    )
+    return (after, mean) if left < lost else None
+
+
+def in_rounds(
+    worth: Callable[[np.ndarray, int, Progress], np.ndarray],
+    costs: np.ndarray,
+    built: np.ndarray,
+    *,
+    n_runs: int,
+    rounds: int,
+    money: float,
+    progress: Progress,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Exchange parts round by round, each with `n_runs` fires of its own.
+
+    Parameters
+    ----------
+    worth
+        ``(built, first_run, progress)``: what each part is worth then in the fires from `first_run` on, (n_parts,).
+    costs, built, money
+        As in `exchanged`.
+
+    Returns
+    -------
+    built, worth
+        (n_parts,) bool what is built last; float64 mean over the last rounds.
+    """
+    mean = np.zeros(built.size)
+    for k in range(rounds):
+        found = worth(built, k * n_runs, part(progress, k / rounds, (k + 1) / rounds))
+        mean += (found - mean) / min(k + 1, _REMEMBERED)
+        built = exchanged(mean, costs, built, money=money, most=_SHARE * money / (k + 1))
+    return built, mean
 
 
 def exchanged(worth: np.ndarray, costs: np.ndarray, built: np.ndarray, *, money: float, most: float) -> np.ndarray:

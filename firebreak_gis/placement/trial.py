@@ -158,16 +158,65 @@ class Trial:
                 uncut = uncut if uncut.size else np.zeros_like(walls.holds)
                 holds = uncut.copy()
                 holds[up] = walls.holds[up]
-                laid = kernels.Parts(first, cells, of, built, walls.holds, uncut)
+                none = np.zeros(0, np.uint8)
+                laid = kernels.Parts(first, cells, none, of, built, walls.holds, uncut)
                 yield ready._replace(given=(*ready.given[:5], walls._replace(holds=holds), *ready.given[6:], laid))
+
+        return self._worth(readied(), n_runs, len(parts), progress)
+
+    def worth_of_lines(
+        self, laid: LineBreaks, built: np.ndarray, *, n_runs: int, first_run: int = 0, progress: Progress = silent
+    ) -> tuple[np.ndarray, float]:
+        """The same of lines, whose ground is left out: fires start and burn on it.
+
+        Parameters
+        ----------
+        laid
+            All lines, the built ones and others. A link that several cross belongs to the first of them.
+        built
+            (n_lines,) bool.
+        n_runs, first_run, progress
+            As in `losses`.
+
+        Returns
+        -------
+        worth, lost
+            As `worth` returns them; embers that fly over a line to what it would save are left out.
+        """
+        from firebreak_gis.kernels import worth as kernels
+
+        of = laid.owners.reshape(-1, 8)
+        cells, towards = np.nonzero(of >= 0)
+        order = np.argsort(of[cells, towards], kind="stable")
+        cells, towards = cells[order], towards[order]
+        first = np.searchsorted(of[cells, towards], np.arange(built.size + 1))
+        stands = (of >= 0) & np.append(built, False)[of]
+        crossed = (stands << np.arange(8)).sum(axis=1).astype(np.uint8)
+        none = np.zeros(0, np.uint32)
+        parts = kernels.Parts(first, cells, towards.astype(np.uint8), of.ravel(), built, none, none)
+
+        def readied() -> Iterator[Ready]:
+            for ready in made_ready(**self._given(laid.groundless, n_runs, first_run)):
+                walls = ready.given[5]._replace(crossed=crossed)
+                yield ready._replace(given=(*ready.given[:5], walls, *ready.given[6:], parts))
+
+        return self._worth(readied(), n_runs, built.size, progress)
+
+    def _worth(
+        self, groups: Iterable[Ready], n_runs: int, n_parts: int, progress: Progress
+    ) -> tuple[np.ndarray, float]:
+        """See `worth`, of groups of runs with their parts."""
+        from firebreak_gis.kernels import worth as kernels
+
+        value = self.stakes.value.ravel()
 
         def added(ready: Ready, space: Workspace, runs: np.ndarray, sums: np.ndarray) -> None:
             *before, walls, cleared, embers, laid = ready.given
-            walls = walls._replace(holds=walls.holds.copy())
-            memory = kernels.kept(value.size, n_runs, len(parts))
+            walls = walls._replace(holds=walls.holds.copy(), crossed=walls.crossed.copy())
+            memory = kernels.kept(value.size, n_runs, n_parts)
             sums[-1] += kernels.worth(*before, walls, cleared, embers, space, runs, value, laid, memory, sums[:-1])
 
-        total = self._summed(readied(), n_runs, len(parts) + 1, added, progress)
+        total = self._summed(groups, n_runs, n_parts + 1, added, progress)
         return total[:-1], float(total[-1])
 
     def _summed(

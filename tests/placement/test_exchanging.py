@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 
 from firebreak_gis.breaks import Budget, select_breaks
+from firebreak_gis.landscape.lines import laid_on, links_crossed
 from firebreak_gis.placement.exchanging import exchange, exchanged
 from firebreak_gis.planning.design import design
 from firebreak_gis.progress import silent
+from firebreak_gis.simulation.embers import Embers
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import Hold
 from firebreak_gis.simulation.weather import Spell, Step, Weather, WeatherNetworks
@@ -59,6 +61,68 @@ def test_the_worth_of_a_part_is_what_burning_all_with_and_without_it_tells(seed,
         expected.append(abs(losses(network, trial, parts, other, **runs) - lost))
     assert np.ptp(expected) > 0.0
     np.testing.assert_allclose(worth, expected, rtol=1e-9, atol=1e-9)
+
+
+def lines_on(network, n, seed):
+    """Bent lines over the map, crossing each other and along the middles of cells, laid."""
+    import geopandas as gpd
+    import shapely
+
+    random = np.random.default_rng(seed)
+    (rows, cols), t = network.shape, network.grid.transform
+    ends = np.round(2 * random.uniform(-1.0, [cols + 1.0, rows + 1.0], (n, 3, 2))) / 2
+    shapes = [shapely.LineString(each * [t.a, t.e] + [t.c, t.f]) for each in ends]
+    return laid_on(gpd.GeoDataFrame({"width_m": np.full(n, 9.0)}, geometry=shapes, crs=network.grid.crs), network.grid)
+
+
+def losses_across(trial, laid, built, **runs):
+    """Twin: burn all fires against the links of the lines that are built, each of the first line across it."""
+    stands = (laid.owners >= 0) & np.append(built, False)[laid.owners]
+    crossed = (stands << np.arange(8)).sum(axis=2).astype(np.uint8)
+    return trial.losses(replace(laid.groundless, crossed=crossed), **runs).mean()
+
+
+def test_the_owner_of_a_link_is_the_first_line_across_it():
+    network = network_of(3)
+    laid = lines_on(network, 9, 2)
+    expected = np.full((*network.shape, 8), -1)
+    for k in reversed(range(9)):
+        crossed, *_ = links_crossed(laid.lines.iloc[[k]], network.grid)
+        for d in range(8):
+            expected[..., d][crossed >> d & 1 > 0] = k
+    np.testing.assert_array_equal(laid.owners, expected)
+    assert (laid.owners >= 0).any(axis=(0, 1)).all()
+
+
+@pytest.mark.parametrize(
+    ("seed", "fires"),
+    [
+        (1, {}),
+        (2, {"residual": 0.4}),
+        (3, {"hold": FAILING}),
+        (4, {"hold": FAILING, "embers": Embers(rate=20_000.0, wind_speed=5.0, wind_from_direction=10.0)}),
+    ],
+)
+@pytest.mark.parametrize("beside_cells", [False, True])
+def test_the_worth_of_a_line_is_what_burning_all_with_and_without_it_tells(seed, fires, beside_cells):
+    network, trial, parts, _ = problem(seed, **fires)
+    if beside_cells:
+        standing = np.zeros(network.shape, bool)
+        standing.ravel()[np.concatenate(parts[:8])] = True
+        trial = replace(trial, standing=standing)
+    laid, built = lines_on(network, 12, seed), np.random.default_rng(seed).random(12) < 0.5
+    runs = {"n_runs": 60, "first_run": 7}
+    worth, lost = trial.worth_of_lines(laid, built, **runs)
+    assert lost == pytest.approx(losses_across(trial, laid, built, **runs), rel=1e-12)
+    expected = []
+    for k in range(12):
+        other = built.copy()
+        other[k] = ~other[k]
+        expected.append(abs(losses_across(trial, laid, other, **runs) - lost))
+    assert np.count_nonzero(expected) > 4
+    # Embers from afar that would light anew what was taken back are left out.
+    np.testing.assert_allclose(worth, expected, rtol=0.06 if "embers" in fires else 1e-9, atol=1e-9)
+    np.testing.assert_array_equal(replace(trial, threads=1).worth_of_lines(laid, built, **runs)[0], worth)
 
 
 def test_worth_under_changing_weather_and_beside_standing_breaks():
