@@ -7,7 +7,7 @@ counts its mean over the last rounds; fewer parts change from round to round.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -29,9 +29,12 @@ _ROUNDS, _REMEMBERED = 8, 6
 _SHARE = 0.2
 #: Times the money that the parts cost among which is chosen.
 _MORE = 2.5
-_LEAST=16
-#: Cells that the fires of a round burn where nothing is cut; where breaks are lines.
-_WORK, _WORK_OF_LINES = 2.0e6, 1.0e6
+#: Cells that the fires of a round burn where nothing is cut.
+_WORK = 2.0e6
+#: The same, and fires of a round at least, of a short search, which every plan of lines that fail can afford.
+_SHORT_WORK, _SHORT_LEAST = 6.0e5, 16
+#: Fires that tell whether a plan of lines has become better, at least.
+_OTHERS = 300
 
 
 def exchange(
@@ -86,7 +89,7 @@ def exchange(
         return trial.worth(cells, built, n_runs=n_runs, first_run=first_run, progress=step)[0]
 
     if len(cells):
-        built, _ = in_rounds(worth, costs, built, n_runs=n_runs, rounds=_ROUNDS, money=money, progress=progress)
+        built, _ = in_rounds(worth, costs, built, n_runs=n_runs, money=money, progress=progress)
     after = np.zeros(flat.size, bool)
     after[np.concatenate([*(cells[k] for k in np.flatnonzero(built)), np.zeros(0, np.int64)])] = True
     lost, left = (
@@ -98,7 +101,15 @@ def exchange(
 
 
 def exchange_lines(
-    laid: LineBreaks, trial: Trial, costs: np.ndarray, built: np.ndarray, *, money: float, progress: Progress
+    laid: LineBreaks,
+    trial: Trial,
+    costs: np.ndarray,
+    built: np.ndarray,
+    *,
+    money: float,
+    rests: Sequence[Sequence[int]],
+    short: bool = False,
+    progress: Progress,
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """Improve breaks that are lines, of one budget.
 
@@ -112,21 +123,32 @@ def exchange_lines(
         (n_lines,) what each takes of the budget; bool.
     money, progress
         As in `exchange`.
+    rests
+        Of each line those on which it ends, see `exchanged`.
+    short
+        Whether fewer fires must do.
 
     Returns
     -------
     built, worth
         (n_lines,) bool what is built then; float64 value that a fire takes more without each, or takes less with it,
         beside those that are built in the mean. None if no less is lost in other fires.
+
+    Notes
+    -----
+    On the sample, where each 400 m of lines 28 m wide holds in 0.47 of fires with embers, and 5 % of the fuel is
+    theirs, the short search saves 29.3 in place of 27.1 % in 300 other fires; at 3 and 10 % 20.8 in place of 19.0, and
+    46.1 in place of 43.7 %.
     """
-    n_runs = trial.runs(_WORK_OF_LINES, least=_LEAST)
+    n_runs = trial.runs(_SHORT_WORK, least=_SHORT_LEAST) if short else trial.runs(_WORK)
 
     def worth(built: np.ndarray, first_run: int, step: Progress) -> np.ndarray:
         return trial.worth_of_lines(laid, built, n_runs=n_runs, first_run=first_run, progress=step)[0]
 
-    after, mean = in_rounds(worth, costs, built, n_runs=n_runs, rounds=_ROUNDS, money=money, progress=progress)
+    after, mean = in_rounds(worth, costs, built, n_runs=n_runs, money=money, rests=rests, progress=progress)
+    others = max(2 * n_runs, _OTHERS)
     lost, left = (
-        trial.losses(laid.some(some), n_runs=2 * n_runs, first_run=_ROUNDS * n_runs).sum() for some in (built, after)
+        trial.losses(laid.some(some), n_runs=others, first_run=_ROUNDS * n_runs).sum() for some in (built, after)
     )
     return (after, mean) if left < lost else None
 
@@ -137,8 +159,8 @@ def in_rounds(
     built: np.ndarray,
     *,
     n_runs: int,
-    rounds: int,
     money: float,
+    rests: Sequence[Sequence[int]] | None = None,
     progress: Progress,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Exchange parts round by round, each with `n_runs` fires of its own.
@@ -147,7 +169,7 @@ def in_rounds(
     ----------
     worth
         ``(built, first_run, progress)``: what each part is worth then in the fires from `first_run` on, (n_parts,).
-    costs, built, money
+    costs, built, money, rests
         As in `exchanged`.
 
     Returns
@@ -156,14 +178,22 @@ def in_rounds(
         (n_parts,) bool what is built last; float64 mean over the last rounds.
     """
     mean = np.zeros(built.size)
-    for k in range(rounds):
-        found = worth(built, k * n_runs, part(progress, k / rounds, (k + 1) / rounds))
+    for k in range(_ROUNDS):
+        found = worth(built, k * n_runs, part(progress, k / _ROUNDS, (k + 1) / _ROUNDS))
         mean += (found - mean) / min(k + 1, _REMEMBERED)
-        built = exchanged(mean, costs, built, money=money, most=_SHARE * money / (k + 1))
+        built = exchanged(mean, costs, built, money=money, most=_SHARE * money / (k + 1), rests=rests)
     return built, mean
 
 
-def exchanged(worth: np.ndarray, costs: np.ndarray, built: np.ndarray, *, money: float, most: float) -> np.ndarray:
+def exchanged(
+    worth: np.ndarray,
+    costs: np.ndarray,
+    built: np.ndarray,
+    *,
+    money: float,
+    most: float,
+    rests: Sequence[Sequence[int]] | None = None,
+) -> np.ndarray:
     """Build the parts of most worth for their cost, with money that is left or in place of those of least.
 
     Parameters
@@ -174,6 +204,8 @@ def exchanged(worth: np.ndarray, costs: np.ndarray, built: np.ndarray, *, money:
         What all built parts may cost.
     most
         What those that make way cost, but for the last of them.
+    rests
+        Of each part those without which it is not built, and which stay as long as it is; None for none.
 
     Returns
     -------
@@ -186,19 +218,27 @@ def exchanged(worth: np.ndarray, costs: np.ndarray, built: np.ndarray, *, money:
     array([False,  True,  True])
     """
     after = built.copy()
+    below: list[Sequence[int]] = [()] * built.size if rests is None else list(rests)
+    borne = np.zeros(built.size, np.int64)
+    for k in np.flatnonzero(built).tolist():
+        borne[list(below[k])] += 1
     ratio = worth / np.maximum(costs, 1e-300)
-    going = iter(sorted(np.flatnonzero(built).tolist(), key=lambda k: (ratio[k], k)))
-    coming = sorted(np.flatnonzero(~built).tolist(), key=lambda k: (-ratio[k], k))
+    stays = ~built
     left, freed = money - float(costs[built].sum()), 0.0
-    least = next(going, None)
-    for each in coming:
-        gone: list[int] = []
-        while left < costs[each] and least is not None and ratio[least] < ratio[each] and freed < most:
-            gone.append(least)
+    for each in sorted(np.flatnonzero(~built).tolist(), key=lambda k: (-ratio[k], k)):
+        if not after[list(below[each])].all():
+            continue
+        stays[list(below[each])] = True
+        while left < costs[each] and freed < most:
+            going = np.where(stays | (borne > 0), np.inf, ratio)
+            least = int(np.argmin(going))
+            if not going[least] < ratio[each]:
+                break
+            after[least], stays[least] = False, True
+            borne[list(below[least])] -= 1
             left, freed = left + costs[least], freed + costs[least]
-            least = next(going, None)
-        after[gone] = False
         if ratio[each] > 0.0 and costs[each] <= left * (1 + 1e-12):
             after[each] = True
+            borne[list(below[each])] += 1
             left -= costs[each]
     return after

@@ -6,7 +6,7 @@ The budget counts what the lines take of the land, length times width, or what t
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -45,6 +45,8 @@ _BEYOND = 2.0
 _SMALLEST = (64, 16, 4)
 #: Cells from the end of a line within which it is led on to a line that stands before it.
 _JOINED = 1.5
+#: Cells from a line within which others end on it.
+_TOUCHES = 0.3
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,13 +118,15 @@ def design_lines(
     width: float | None,
     params: Mapping[str, Any] | None = None,
     trial: Trial | None = None,
+    refine: bool = False,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> LineDesign:
     """Find walls that are lines of one width, see `placement.lines`.
 
     Where breaks fail, walls of many stretches hold seldom. So they are tried out on fires in two orders of building:
-    by what a wall saves, and by that times how often it holds.
+    by what a wall saves, and by that times how often it holds. Then those that save least by themselves make way for
+    others that would save more, see `placement.exchanging`; `saved` is what the fires of that search tell.
 
     Parameters
     ----------
@@ -136,6 +140,8 @@ def design_lines(
         `directions` and `smallest` of the ranking `dissection`.
     trial
         Fires with a clock of the kind that will judge the plan; None: walls are built in the order of what they save.
+    refine
+        Whether that search takes more fires, and is made where breaks never fail too.
     threads, progress
         As in `plan`.
 
@@ -157,7 +163,7 @@ def design_lines(
             "the width of lines is chosen by fires with a clock; give one in metres where there is none"
         )
     network.grid.require_metres("lines with a width")
-    first = part(progress, 0.0, 0.7 if trial else 1.0)
+    first = part(progress, 0.0, 0.6 if trial else 1.0)
     grid = network.grid
     money = _money(budget, network.n_burnable * grid.cell_area_ha)
     for each in sizes:
@@ -165,9 +171,9 @@ def design_lines(
         if _each(cuts, budget, width or WIDTHS[-1], grid).sum() >= money:
             break
     drawing = partial(_drawn, cuts, network, stakes, budget, hold=Hold() if trial is None else trial.fires.holding)
-    if trial is None or (width is not None and trial.fires.holding.perfect):
+    if trial is None or (width is not None and trial.fires.holding.perfect and not refine):
         return drawing(WIDTHS[0] if width is None else width, fails=False)
-    step = part(progress, 0.7, 1.0)
+    step = part(progress, 0.6, 0.8)
     choice: Choice[LineDesign] = Choice(trial, network.n_burnable, lambda design: design.breaks(budget))
 
     def told(each: float) -> LineDesign:
@@ -177,7 +183,51 @@ def design_lines(
     best = choice.rising(told(each) for each in (WIDTHS if width is None else (width,)))
     if not trial.fires.holding.perfect:
         choice.attempt(drawing(best.width, fails=True))
-    return choice.chosen()
+    found = choice.chosen()
+    if trial.fires.holding.perfect and not refine:
+        return found
+    return _exchanged(found, trial, budget, refine, part(progress, 0.8, 1.0, "exchanging lines: "))
+
+
+def _exchanged(design: LineDesign, trial: Trial, budget: Budget, refine: bool, progress: Progress) -> LineDesign:
+    """The design with the walls first that `placement.exchanging` builds of those that are drawn."""
+    from firebreak_gis.placement.exchanging import exchange_lines
+
+    walls = design.walls
+    built = np.arange(len(walls)) < design.bought(budget)
+    if not built.any():
+        return design
+    laid = laid_on(walls[["width_m", "geometry"]], design.grid)
+    costs = walls["cost" if budget.unit == "cost" else "area_ha"].to_numpy()
+    money = _money(budget, design.fuel_ha)
+    rests = resting(walls.geometry.array, _TOUCHES * design.grid.cell_size)
+    found = exchange_lines(laid, trial, costs, built, money=money, rests=rests, short=not refine, progress=progress)
+    if found is None:
+        return design
+    after, worth = found
+    order = np.concatenate([np.flatnonzero(after), np.flatnonzero(~after)])
+    share = worth / max(float(trial.stakes.value.sum()), 1e-300)
+    told = f"{design.told}, and exchanged by what each saves in fires"
+    return replace(design, walls=walls.assign(saved=share).iloc[order].reset_index(drop=True), told=told)
+
+
+def resting(walls: Sequence[Any], reach: float) -> list[list[int]]:
+    """Of each wall, a multiline, those before it within reach of an end of its lines.
+
+    Examples
+    --------
+    >>> import shapely
+    >>> resting([shapely.MultiLineString([each]) for each in ([(0, 0), (9, 0)], [(4, 0.1), (4, 9)])], 0.5)
+    [[], [0]]
+    """
+    import shapely
+
+    lines, owner = shapely.get_parts(np.asarray(walls, object), return_index=True)
+    ends = np.concatenate([shapely.get_point(lines, 0), shapely.get_point(lines, -1)])
+    end, line = shapely.STRtree(lines).query(ends, predicate="dwithin", distance=reach)
+    own, other = np.tile(owner, 2)[end], owner[line]
+    pairs = np.unique(np.column_stack([own, other])[other < own], axis=0)
+    return [pairs[pairs[:, 0] == k, 1].tolist() for k in range(len(walls))]
 
 
 def _drawn(

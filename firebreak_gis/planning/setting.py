@@ -111,6 +111,13 @@ class Setting:
         return Trial(self.ground, fires, self.stakes, fires.seed, self.threads, self.standing)
 
     @property
+    def searches(self) -> bool:
+        """Whether the design is improved by local search: where that is asked, and lines that may fail."""
+        asked = self.request.design
+        fails = self.judged.clock and not self.judged.fires.holding.perfect
+        return asked.refine or (lines.asked(asked) and fails)
+
+    @property
     def about(self) -> dict[str, Any]:
         """What `design.design` is told beside the network, the method and the stakes."""
         asked = self.request.design

@@ -6,6 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from firebreak_gis.breaks import Budget, select_breaks
 from firebreak_gis.landscape.lines import laid_on, links_crossed
@@ -61,6 +63,45 @@ def test_the_worth_of_a_part_is_what_burning_all_with_and_without_it_tells(seed,
         expected.append(abs(losses(network, trial, parts, other, **runs) - lost))
     assert np.ptp(expected) > 0.0
     np.testing.assert_allclose(worth, expected, rtol=1e-9, atol=1e-9)
+
+
+def exchanged_by_hand(worth, costs, built, money, most, rests):
+    """Twin with sets and lists."""
+    ratio, after = worth / costs, {k for k in range(built.size) if built[k]}
+    old, kept, freed = set(after), set(), 0.0
+    left = money - sum(costs[k] for k in after)
+    for each in sorted(set(range(built.size)) - after, key=lambda k: (-ratio[k], k)):
+        if not set(rests[each]) <= after:
+            continue
+        kept |= set(rests[each])
+        while left < costs[each] and freed < most:
+            bearing = {k for other in after for k in rests[other]}
+            free = [k for k in after & old - kept - bearing if ratio[k] < ratio[each]]
+            if not free:
+                break
+            least = min(free, key=lambda k: (ratio[k], k))
+            after.remove(least)
+            left, freed = left + costs[least], freed + costs[least]
+        if ratio[each] > 0 and costs[each] <= left * (1 + 1e-12):
+            after.add(each)
+            left -= costs[each]
+    return [k in after for k in range(built.size)]
+
+
+@settings(max_examples=300, deadline=None)
+@given(seed=st.integers(0, 10**6))
+def test_what_rests_on_a_part_is_built_with_it_alone(seed):
+    random = np.random.default_rng(seed)
+    n = int(random.integers(1, 12))
+    rests = [sorted(random.choice(k, min(k, int(random.integers(0, 3))), replace=False).tolist()) for k in range(n)]
+    costs, worth = random.integers(1, 6, n).astype(float), random.integers(-1, 9, n).astype(float)
+    built = np.arange(n) < random.integers(0, n + 1)
+    money, most = float(costs[built].sum() + random.integers(0, 4)), float(random.integers(0, 12))
+    after = exchanged(worth, costs, built, money=money, most=most, rests=rests)
+    assert after.tolist() == exchanged_by_hand(worth, costs, built, money, most, rests)
+    assert costs[after].sum() <= money * (1 + 1e-9)
+    assert all(after[rests[k]].all() for k in np.flatnonzero(after))
+    assert costs[built & ~after].sum() < most + costs.max()
 
 
 def lines_on(network, n, seed):

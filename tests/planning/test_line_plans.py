@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import geopandas as gpd
 import numpy as np
@@ -22,9 +23,10 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.landscape.lines import line_breaks, links_crossed
 from firebreak_gis.placement.trial import Trial
+from firebreak_gis.planning import line_design
 from firebreak_gis.planning.designs.lines import USUAL
 from firebreak_gis.planning.judging import ASSUMED_DURATION, ASSUMED_HOLD
-from firebreak_gis.planning.line_design import WIDTHS, chained, design_lines, paid_first
+from firebreak_gis.planning.line_design import WIDTHS, chained, design_lines, paid_first, resting
 from firebreak_gis.planning.outputs import write_plan
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.ground import Ground
@@ -41,6 +43,13 @@ def landscape(make_landscape):
 @pytest.fixture(scope="module")
 def result(landscape):
     return plan(landscape, budget=0.08, line_width=6.0, model_params={"wind_speed": 3}, n_runs=40, seed=6)
+
+
+@pytest.fixture(scope="module")
+def perfect(landscape):
+    """Breaks that never fail, so that nothing is exchanged and gains are those of the model."""
+    given = {"budget": 0.08, "line_width": 6.0, "model_params": {"wind_speed": 3}, "hold": 1.0}
+    return plan(landscape, **given, n_runs=40, seed=6)
 
 
 @pytest.fixture(scope="module")
@@ -99,7 +108,8 @@ def test_costs_of_lines_are_those_of_the_ground_that_they_take(network):
         assert wall.cost == pytest.approx(total, rel=0.01)
 
 
-def test_segments_are_the_walls(result, network):
+def test_segments_are_the_walls(perfect, network):
+    result = perfect
     lines, polygons = result.segments
     walls = result.walls
     assert len(walls) > 5
@@ -143,9 +153,9 @@ def test_segments_are_the_walls(result, network):
     assert int(labels.max()) == len(table)
 
 
-def test_gains_are_those_of_one_wall_after_the_other(result, network):
+def test_gains_are_those_of_one_wall_after_the_other(perfect, network):
     none = np.zeros(network.shape, bool)
-    walls, total = result.walls, network.n_burnable
+    walls, total = perfect.walls, network.n_burnable
     before = split(network, none)
     loss = (before.ignition_mass * before.value_mass).sum()
     for k in range(1, min(len(walls), 8) + 1):
@@ -211,7 +221,7 @@ def test_what_lines_cannot_have_is_refused(landscape, tmp_path):
     for more, told in (
         ({"method": "bonacich"}, "--method bonacich"),
         ({"width": 20.0}, "--width"),
-        ({"refine": True}, "--refine"),
+        ({"refine": True, "timeless": True}, "--refine --timeless"),
         ({"method_params": {"width": 2}}, "not width"),
         ({"line_width": 0.0}, "above 0"),
         ({"line_width": float("nan")}, "above 0"),
@@ -277,6 +287,7 @@ def test_orders_of_building_are_tried_out_where_breaks_fail(network, landscape, 
     plain = design_lines(network, stakes=stakes, budget=budget, width=6.0)
     trial = Trial(Ground(spread_network(landscape, clock=True)), FireRequest(hold=as_hold("0.2:60")), stakes, 0)
     losses = {}
+    monkeypatch.setattr(line_design, "_exchanged", lambda design, *_: design)
     for favoured in (True, False):
         monkeypatch.setattr(Trial, "losses", lambda self, cut, favoured=favoured, **_: judged(cut, favoured))
 
@@ -313,12 +324,13 @@ def test_a_plan_of_lines_that_suit_the_flames_tells_their_width(landscape):
         ({"residual": 0.1}, "cells"),
         ({"method": "degree"}, "cells"),
         ({"width": 40.0}, "cells"),
-        ({"refine": True}, "cells"),
+        ({"refine": True}, 20.0),
+        ({"refine": True, "timeless": True}, "cells"),
         ({"goal": "worst-tenth"}, 20.0),
         ({"treatments": "default"}, "cells"),
         ({"method_params": {"width": 2}}, "cells"),
         ({"method_params": {"smallest": 30}}, 20.0),
-        ({"existing": [[(586_460.0, 3_999_880.0), (586_700.0, 3_999_700.0)]]}, "cells"),
+        ({"existing": [[(586_460.0, 3_999_880.0), (586_700.0, 3_999_700.0)]]}, 20.0),
     ],
 )
 def test_plans_are_lines_where_these_can_be_planned_and_judged(make_landscape, asked, told):
@@ -382,3 +394,65 @@ def test_lines_for_the_worst_tenth_lose_no_more_in_it(landscape):
         worst[goal] = np.sort(burnt)[-30:].mean()
     assert worst["worst-tenth"] <= worst["mean"]
     assert made["worst-tenth"].goals.set_index(["loss", "of"])["planned_for"]["hectares", "worst-tenth"]
+
+
+def test_walls_that_fail_are_exchanged_for_others_that_save_more(make_landscape):
+    """Less burns in fires that the search has not seen; what is built ends on what stands, and costs no more."""
+    land = make_landscape((90, 95), seed=7, relief=4.0)
+    network = spread_network(land, wind_speed=3, clock=True)
+    fires = FireRequest(duration=as_duration("4h"), hold=as_hold("0.47:100"))
+    stakes = Stakes(network)
+    trial = Trial(Ground(network), fires, stakes, 5)
+    given = {"stakes": stakes, "budget": Budget(0.05), "width": 6.0, "trial": trial, "params": {"smallest": 16}}
+    found, refined = design_lines(network, **given), design_lines(network, **given, refine=True)
+    walls = {}
+    for name, design in (("short", found), ("long", refined)):
+        assert "exchanged by what each saves" in design.told
+        count = design.bought(Budget(0.05))
+        assert design.walls["area_ha"].iloc[:count].sum() <= 0.05 * design.fuel_ha * (1 + 1e-9)
+        rests = resting(design.walls.geometry.array, 0.3 * network.grid.cell_size)
+        assert sum(map(len, rests[:count])) > 5
+        walls[name] = design.breaks(Budget(0.05))
+    fresh = replace(trial, seed=99)
+    first = drawn_as_found(network, stakes, trial)
+    lost = {name: fresh.losses(laid, n_runs=1500).mean() for name, laid in walls.items()}
+    assert lost["short"] < 0.99 * fresh.losses(first, n_runs=1500).mean()
+    assert lost["long"] < 1.01 * lost["short"]
+    saved = found.walls["saved"].iloc[: found.bought(Budget(0.05))]
+    alone = found.breaks(Budget(0.05))
+    least = int(np.argmax(saved))
+    rest = alone.some(np.arange(len(alone.lines)) != least)
+    assert fresh.losses(rest, n_runs=1500).mean() > fresh.losses(alone, n_runs=1500).mean()
+
+
+def drawn_as_found(network, stakes, trial):
+    """Walls of the better of both orders, before any exchange."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(line_design, "_exchanged", lambda design, *_: design)
+        given = {"stakes": stakes, "budget": Budget(0.05), "width": 6.0, "trial": trial, "params": {"smallest": 16}}
+        return design_lines(network, **given).breaks(Budget(0.05))
+
+
+def test_lines_that_never_fail_are_exchanged_on_request_alone(make_landscape):
+    land = make_landscape((40, 41), seed=7, relief=4.0)
+    network = spread_network(land, wind_speed=3, clock=True)
+    stakes = Stakes(network)
+    trial = Trial(Ground(network), FireRequest(duration=as_duration("4h")), stakes, 5)
+    given = {"stakes": stakes, "budget": Budget(0.1), "width": 6.0}
+    plain = design_lines(network, **given)
+    assert design_lines(network, **given, trial=trial).walls.equals(plain.walls)
+    refined = design_lines(network, **given, trial=trial, refine=True)
+    fresh = replace(trial, seed=99)
+    lost = [fresh.losses(each.breaks(Budget(0.1)), n_runs=800).mean() for each in (plain, refined)]
+    assert lost[1] <= 1.01 * lost[0]
+
+
+def test_walls_rest_on_those_before_them_where_their_ends_are(result, network):
+    walls, size = result.walls, network.grid.cell_size
+    expected = []
+    for k, wall in enumerate(walls.geometry):
+        ends = [shapely.Point(end) for line in wall.geoms for end in (line.coords[0], line.coords[-1])]
+        near = [j for j in range(k) if any(walls.geometry.iloc[j].distance(end) <= 0.3 * size for end in ends)]
+        expected.append(near)
+    assert resting(walls.geometry.array, 0.3 * size) == expected
+    assert sum(map(len, expected)) > 10

@@ -52,7 +52,7 @@ def usual(request: PlanRequest, judged: Judging, network: SpreadNetwork) -> Widt
     if design.line_width is not None:
         return design.line_width
     others = set(design.method_params) - PARAMS
-    if others or _refused(design) or not judged.clock or judged.fires.leaks:
+    if others or _refused(design, request.timeless) or not judged.clock or judged.fires.leaks:
         return "cells"
     if not network.grid.in_metres or network.boundary != "open" or network.n_burnable > LARGEST:
         return "cells"
@@ -68,7 +68,7 @@ def require(request: PlanRequest) -> None:
         Naming all of it.
     """
     design = request.design
-    refused = _refused(design)
+    refused = _refused(design, request.timeless)
     if refused:
         raise ParameterError(
             f"--line-width plans lines by dissection, which {', '.join(refused)} cannot change; leave "
@@ -82,11 +82,11 @@ def require(request: PlanRequest) -> None:
         )
 
 
-def _refused(design: DesignRequest) -> list[str]:
+def _refused(design: DesignRequest, timeless: bool) -> list[str]:
     """What is asked for that lines cannot have, as it is asked for."""
     refused = [f"--method {design.method}"] if design.method != "dissection" else []
     refused += ["--width"] if design.width is not None else []
-    refused += ["--refine"] if design.refine else []
+    refused += ["--refine --timeless"] if design.refine and timeless else []
     refused += ["--treatments"] if design.treatments is not None else []
     return refused
 
@@ -103,6 +103,7 @@ def make(setting: Setting, rest: Rest, progress: Progress) -> Design:
         width=None if width == "auto" else width,
         params=request.method_params,
         trial=setting.trial,
+        refine=request.refine,
         threads=setting.threads,
         progress=progress,
     )
