@@ -146,6 +146,7 @@ class Plan(Shown):
             budget=float(self.share),
             caption=" ".join(self.judged.assumptions),
             lines=self.design.walls,
+            existing=None if self.standing is None else self.existing,
         )
 
     def explore(self, **options: Any) -> Any:

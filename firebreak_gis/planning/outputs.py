@@ -110,6 +110,8 @@ def _page(plan: Plan, path: Path, how: Writing) -> None:
         "compartments.gpkg": plan.compartments,
         "evaluation.csv": _evaluation(plan.evaluation),
     }
+    if plan.standing is not None:
+        parts["existing.gpkg"] = plan.existing
     present = names(OUTPUTS, _present(plan))
     files = [(name, label) for name, label in labels(OUTPUTS).items() if name in present]
     text = render(plan_page(parts, told("plan", how, _account(plan)) | {"files": files}))

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 #: Colour of cut cells on every map.
 BREAK_COLOUR = "#1f4fd8"
+EXISTING_COLOUR = "#2b2b2b"
 #: Colours of rankings in curves, in order of drawing; the baseline is grey.
 LINE_COLOURS = ("#d1495b", "#00798c", "#edae49", "#30638e", "#8d5a97", "#3b7a57", "#b5651d", "#c71585")
 #: What each format would store of the time and the program, left out.
@@ -189,6 +190,18 @@ def draw_breaks(axes: Axes, breaks: np.ndarray, grid: Grid) -> None:
     picture = np.zeros((*breaks.shape, 4))
     picture[breaks > 0] = to_rgba(BREAK_COLOUR)
     show(axes, picture, grid)
+
+
+def draw_existing(axes: Axes, existing: gpd.GeoDataFrame, grid: Grid) -> None:
+    """Lay breaks that stand already over a map, lines or the outlines of areas."""
+    import shapely
+    from matplotlib.collections import LineCollection
+
+    shapes = existing.geometry.array
+    areas = shapely.get_dimensions(shapes) == 2
+    parts = shapely.get_parts(np.where(areas, shapely.boundary(shapes), shapes))
+    places = [(shapely.get_coordinates(part) - np.array(grid.bounds[:2])) / 1000.0 for part in parts]
+    axes.add_collection(LineCollection(places, colors=EXISTING_COLOUR, linewidths=0.8))
 
 
 def draw_lines(axes: Axes, lines: gpd.GeoDataFrame, grid: Grid) -> None:

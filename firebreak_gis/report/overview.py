@@ -10,9 +10,11 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.report.curve import draw_curve
 from firebreak_gis.report.figures import (
     BREAK_COLOUR,
+    EXISTING_COLOUR,
     WATER,
     caption_under,
     draw_breaks,
+    draw_existing,
     draw_lines,
     hillshade,
     map_axes,
@@ -44,6 +46,7 @@ def overview_figure(
     budget: float,
     caption: str = "",
     lines: gpd.GeoDataFrame | None = None,
+    existing: gpd.GeoDataFrame | None = None,
 ) -> Figure:
     """Draw the overview of a plan.
 
@@ -65,6 +68,8 @@ def overview_figure(
         What the numbers assume.
     lines
         Breaks that are lines, `breaks` being the cells that they pass; with `area_ha` and `length_m`.
+    existing
+        Breaks that stand already, in both burns.
     """
     grid = Grid.of(breaks)
     rows, cols = grid.shape
@@ -84,7 +89,10 @@ def overview_figure(
     top = max(0.1, float(np.ceil(10 * np.nanmax(before["burn_frequency"].to_numpy(), initial=0.0)) / 10))
     _frequency(axes[1, 0], before, grid, shade, "Burn frequency without breaks", top)
     _frequency(axes[1, 1], after, grid, shade, "Burn frequency with the breaks", top)
-    _lay(axes[1, 1], breaks, lines, grid, max(int(after.attrs["n_burnable"]), 1))
+    if existing is not None:
+        for each in axes[1, :2]:
+            draw_existing(each, existing, grid)
+    _lay(axes[1, 1], breaks, lines, existing, grid, max(int(after.attrs["n_burnable"]), 1))
     draw_curve(axes[1, 2], evaluation, budget=budget, detail=False)
     axes[1, 2].set_title("Burnt share against share cut", fontsize=10, loc="left", fontweight="bold")
     return figure
@@ -126,7 +134,14 @@ def _frequency(
     axes.set_xlabel(note, fontsize=8)
 
 
-def _lay(axes: Axes, breaks: xr.DataArray, lines: gpd.GeoDataFrame | None, grid: Grid, n_burnable: int) -> None:
+def _lay(
+    axes: Axes,
+    breaks: xr.DataArray,
+    lines: gpd.GeoDataFrame | None,
+    existing: gpd.GeoDataFrame | None,
+    grid: Grid,
+    n_burnable: int,
+) -> None:
     """Lay the breaks over a map, and say how much they are."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
@@ -141,4 +156,7 @@ def _lay(axes: Axes, breaks: xr.DataArray, lines: gpd.GeoDataFrame | None, grid:
         share = 100 * lines["area_ha"].sum() / (n_burnable * grid.cell_area_ha)
         told = f"fire breaks: {lines['length_m'].sum() / 1000:,.0f} km of lines, {share:.1f} %"
         handle = Line2D([], [], color=BREAK_COLOUR, label=told)
-    axes.legend(handles=[handle], loc="upper left", fontsize=7, framealpha=0.85)
+    handles = [handle]
+    if existing is not None:
+        handles.append(Line2D([], [], color=EXISTING_COLOUR, linewidth=0.8, label="existing breaks"))
+    axes.legend(handles=handles, loc="upper left", fontsize=7, framealpha=0.85)

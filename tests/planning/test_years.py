@@ -22,8 +22,10 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.existing import existing_breaks
 from firebreak_gis.landscape.lines import LineBreaks
+from firebreak_gis.planning.outputs import write_plan
 from firebreak_gis.planning.pipeline import plan
 from firebreak_gis.planning.years import YearsRequest, over_years
+from firebreak_gis.report.page.folder import report_page
 from tests.places import three, write
 
 
@@ -233,6 +235,22 @@ def test_existing_breaks_stand_before_and_after(old):
     assert worth[0] > abs(worth[1])
     with pytest.raises(ParameterError, match="no existing breaks"):
         _ = plan(land, method="degree", **given).existing
+
+
+def test_existing_breaks_are_on_the_page_and_in_the_picture(old, tmp_path):
+    land, existing = old
+    made = plan(land, existing=existing, budget=0.06, n_runs=10, seed=4)
+    write_plan(made, tmp_path / "out")
+    for page in ((tmp_path / "out" / "report.html").read_text(), report_page(tmp_path / "out")):
+        shown = page[page.index('"key":"existing"') : page.index('"key":"segments"')]
+        assert shown.count('"Existing break"') == 2
+        worth = made.existing["worth_ha"].iloc[0]
+        assert f'"Burns more in the mean fire without it":"{worth:,.1f} ha"' in shown
+    texts = [text.get_text() for axes in made.plot().axes if (key := axes.get_legend()) for text in key.get_texts()]
+    assert "existing breaks" in texts
+    without = plan(land, budget=0.06, n_runs=10, seed=4)
+    write_plan(without, tmp_path / "without")
+    assert '"key":"existing"' not in (tmp_path / "without" / "report.html").read_text()
 
 
 def test_lines_beside_existing_breaks(old):

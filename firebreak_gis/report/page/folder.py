@@ -56,7 +56,7 @@ def report_page(folder: str | os.PathLike[str], labels: Mapping[str, str] | None
     from firebreak_gis.grid import Grid
     from firebreak_gis.manifest import read_account
     from firebreak_gis.rasters import read_variable
-    from firebreak_gis.vectors import read_polygons
+    from firebreak_gis.vectors import read_features, read_polygons
 
     place, labels = Path(folder), labels or {}
     account = read_account(place / "run.json")
@@ -75,5 +75,7 @@ def report_page(folder: str | os.PathLike[str], labels: Mapping[str, str] | None
     crs = Grid.of(parts["breaks.tif"]).crs
     for name, layer in _VECTORS.items():
         parts[name] = read_polygons(f"{place / name}|layername={layer}", crs)
+    if "existing.gpkg" in written:
+        parts["existing.gpkg"] = read_features(place / "existing.gpkg", crs)
     parts["evaluation.csv"] = pd.read_csv(place / "evaluation.csv")
     return render(plan_page(parts, account))

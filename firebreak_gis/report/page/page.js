@@ -116,17 +116,18 @@
       follow();
     });
 
+    const thin = (group) => ({ compartments: 1, existing: 2 })[group.key] || 3.5;
     data.outlines.forEach((group) => {
       const many = group.features.length > 3000;
       const layer = L.geoJSON({ type: "FeatureCollection", features: group.features }, {
         renderer: many ? L.canvas({ tolerance: 5 }) : undefined,
         coordsToLatLng: (xy) => L.latLng(xy[1], xy[0]),
         style: (feature) => ({
-          color: feature.properties.colour || group.colour, weight: group.key === "compartments" ? 1 : 3.5,
+          color: feature.properties.colour || group.colour, weight: thin(group),
           fillOpacity: group.key === "compartments" ? 0.06 : 0.6, fillColor: feature.properties.colour || group.colour,
         }),
         onEachFeature: (feature, part) => {
-          part.plain = { color: feature.properties.colour || group.colour, weight: group.key === "compartments" ? 1 : 3.5, fillOpacity: group.key === "compartments" ? 0.06 : 0.6 };
+          part.plain = { color: feature.properties.colour || group.colour, weight: thin(group), fillOpacity: group.key === "compartments" ? 0.06 : 0.6 };
           features.set(feature.properties.number, part);
           part.on("click", (event) => { L.DomEvent.stopPropagation(event); choose(feature.properties.number, false); });
         },

@@ -10,7 +10,7 @@ import numpy as np
 
 from firebreak_gis.breaks import Budget
 from firebreak_gis.grid import Grid, crs_name
-from firebreak_gis.report.figures import thin
+from firebreak_gis.report.figures import EXISTING_COLOUR, thin
 from firebreak_gis.report.page import pictures
 from firebreak_gis.report.page.content import Curve, Outlines, Page, Picture, Row
 
@@ -258,6 +258,14 @@ def _outlines(parts: Mapping[str, Any], origin: tuple[float, float]) -> tuple[Ou
         ]
         features = pictures.outlines(frame, origin, cards)
         shown.append(Outlines("compartments", "Compartments", features, "#4a3b20"))
+    if "existing.gpkg" in parts:
+        frame = parts["existing.gpkg"]
+        before = sum(len(parts.get(name, ())) for name in ("segments.gpkg", "compartments.gpkg"))
+        cards = [
+            {"number": before + k, "card": _card(row, _EXISTING)} for k, row in enumerate(frame.to_dict("records"))
+        ]
+        features = pictures.outlines(frame, origin, cards)
+        shown.append(Outlines("existing", "Existing breaks", features, EXISTING_COLOUR, shown=True))
     if "segments.gpkg" in parts:
         frame = _scheduled(parts["segments.gpkg"])
         stages = max(int(frame["stage"].max()), 1) if len(frame) else 1
@@ -308,6 +316,14 @@ _SEGMENT = (
     ("cost", "Cost", 0, ""),
     ("gain_share", "Share of what is saved", 2, "%"),
     ("treatment_yearly", "Treatment a year", 0, ""),
+)
+_EXISTING = (
+    ("number", "Existing break", 0, ""),
+    ("length_m", "Length", 0, "m"),
+    ("area_ha", "Area", 2, "ha"),
+    ("worth_ha", "Burns more in the mean fire without it", 1, "ha"),
+    ("upkeep_year", "Upkeep a year", 1, ""),
+    ("stands_until", "Stands until year", 0, ""),
 )
 _COMPARTMENT = (
     ("compartment", "Compartment", 0, ""),
