@@ -14,8 +14,9 @@ import pytest
 from PIL import Image
 
 from firebreak_gis.report.page import pictures, render
+from firebreak_gis.report.page.comparison import comparison_page
 from firebreak_gis.report.page.content import Curve, Outlines, Page, Picture, Row
-from firebreak_gis.report.page.plan import comparison_page, plan_page
+from firebreak_gis.report.page.plan import plan_page
 
 NASTY = "</script><script>alert(1)</script>\"'&<img src=x onerror=alert(1)>\u2028"
 

@@ -91,7 +91,7 @@ def _page(compared: _Compared, path: Path, how: Writing) -> None:
     from firebreak_gis.files import write_text
     from firebreak_gis.files.outputs import labels
     from firebreak_gis.report.page import render
-    from firebreak_gis.report.page.plan import comparison_page
+    from firebreak_gis.report.page.comparison import comparison_page
 
     known = told("compare", how, _told(compared)) | {"files": list(labels(OUTPUTS).items())}
     write_text(path, render(comparison_page(compared.rows, known)), overwrite=how.overwrite)

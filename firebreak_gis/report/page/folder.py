@@ -9,7 +9,8 @@ from typing import Any
 
 from firebreak_gis.errors import InputError
 from firebreak_gis.report.page import render
-from firebreak_gis.report.page.plan import comparison_page, plan_page
+from firebreak_gis.report.page.comparison import comparison_page
+from firebreak_gis.report.page.plan import plan_page
 
 #: Rasters of a plan, and the variable that each holds.
 _RASTERS = {

@@ -1,8 +1,7 @@
-"""The report page of a plan or a comparison, from what its folder holds."""
+"""The report page of a plan, from what its folder holds."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +12,7 @@ from firebreak_gis.grid import Grid, crs_name
 from firebreak_gis.report.figures import EXISTING_COLOUR, thin
 from firebreak_gis.report.page import pictures
 from firebreak_gis.report.page.content import Curve, Outlines, Page, Picture, Row
+from firebreak_gis.report.page.values import plain, provenance
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -64,7 +64,7 @@ def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
         goals=_goals(summary.get("goals", ())),
         years=_years(summary.get("years", ())),
         files=tuple((name, label) for name, label in account.get("files", ()) if name != "report.html"),
-        provenance=_provenance(account),
+        provenance=provenance(account),
     )
 
 
@@ -80,75 +80,6 @@ def _first(parts: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
             shown[file] = frame[frame[number].rank(method="first") <= MOST]
             told.append(f"this page shows the first {MOST:,} of {len(frame):,} {what}; {file} holds all")
     return shown, told
-
-
-def comparison_page(table: pd.DataFrame, account: Mapping[str, Any]) -> Page:
-    """Return the page of a comparison.
-
-    Parameters
-    ----------
-    table
-        As `comparison.csv` holds it.
-    account
-        As `run.json` holds it.
-    """
-    perfect = table[table["residual"] == table["residual"].min()] if "residual" in table else table
-    area = table.attrs.get("fuel_ha")
-    lines = []
-    for method, rows in perfect.groupby("method", sort=False):
-        rows = rows.sort_values("d_f")
-        lines.append((str(method), rows["d_f"].tolist(), rows["R"].tolist()))
-    curve = None
-    if lines and len(lines[0][1]) > 1:
-        leak = float(perfect["residual"].iloc[0]) if "residual" in perfect else 0.0
-        kind = f"treated cells keep {100 * leak:.3g} % of their spread" if leak else "treated cells let no fire pass"
-        note = f"Mean burnt share of the fuel in the simulated fires; {kind}"
-        curve = Curve("What each ranking saves", note, "share of the fuel cut", lines)
-    columns = {name: _compared(name) for name in table.columns}
-    rows = tuple(
-        Row({columns[name]: _plain(value) for name, value in row.items()}, _decimals(table.rename(columns=columns)))
-        for row in table.to_dict("records")
-    )
-    return Page(
-        title="Plans compared" if area is None else f"Plans compared on {area:,.0f} ha",
-        headline=tuple(account.get("headline", ())),
-        assumptions=tuple(account.get("assumptions", ())),
-        warnings=tuple(account.get("warnings", ())),
-        curve=curve,
-        comparison=rows,
-        files=tuple((name, label) for name, label in account.get("files", ()) if name != "report.html"),
-        provenance=_provenance(account),
-    )
-
-
-#: Columns of `comparison.csv` as the page names them; the ends of intervals follow.
-_COMPARED = {
-    "method": "Ranking",
-    "d_f": "Share cut",
-    "residual": "Residual",
-    "cells_cut": "Cells cut",
-    "ha_cut": "Cut [ha]",
-    "R": "Burnt share",
-    "burnt_ha": "Burnt [ha]",
-    "p90_ha": "Burnt in one of ten [ha]",
-    "cvar_ha": "Burnt in the worst tenth [ha]",
-    "value_lost": "Value lost",
-    "leverage": "Saved per ha cut [ha]",
-}
-
-
-def _compared(name: str) -> str:
-    """Name of a column of a comparison; one that is not known keeps its own.
-
-    Examples
-    --------
-    >>> _compared("burnt_ha_low"), _compared("my_own")
-    ('Burnt [ha], low', 'my own')
-    """
-    for end in ("_low", "_high"):
-        if name.removesuffix(end) in _COMPARED and name.endswith(end):
-            return f"{_COMPARED[name.removesuffix(end)]}, {end[1:]}"
-    return _COMPARED.get(name, name.replace("_", " "))
 
 
 def plan_title(account: Mapping[str, Any]) -> str:
@@ -348,7 +279,7 @@ def _card(row: Mapping[Any, Any], columns: tuple[tuple[str, str, int, str], ...]
     card = {}
     for name, text, digits, unit in columns:
         if name in row:
-            value = _plain(row[name])
+            value = plain(row[name])
             if unit == "%" and value is not None:
                 value = 100 * float(value)
             card[text] = "\N{EN DASH}" if value is None else f"{value:,.{digits}f} {unit}".strip()
@@ -371,9 +302,9 @@ def _segments(frame: gpd.GeoDataFrame | None) -> tuple[Row, ...]:
     for number, row in enumerate(frame.to_dict("records")):
         cells = {}
         for name, text, digits, factor in known:
-            value = _plain(row[name])
+            value = plain(row[name])
             cells[text] = None if value is None else round(factor * float(value), digits + 2)
-        when = {text: _plain(row[name]) for name, text in _WHEN if name in row}
+        when = {text: plain(row[name]) for name, text in _WHEN if name in row}
         group = ", ".join(f"{text} {value:.0f}" for text, value in when.items() if value is not None)
         place = tuple(math.inf if value is None else value for value in when.values())
         rows.append(((*place, row["order"]), Row(cells, decimals, summed, number, group)))
@@ -428,29 +359,3 @@ def _curve(table: pd.DataFrame | None, account: Mapping[str, Any]) -> Curve | No
         "and breaks perfect. The dashed line is this plan."
     )
     return Curve("Burnt share against share cut", note, "share of the fuel cut", lines, share or None)
-
-
-def _provenance(account: Mapping[str, Any]) -> tuple[tuple[str, str], ...]:
-    rows = [("Program", f"{account.get('software', 'firebreak_gis')} {account.get('version', '')}".strip())]
-    if account.get("grid"):
-        rows.append(("Grid", str(account["grid"])))
-    rows += [
-        (f"Input {entry['path']}", f"SHA-256 {entry.get('sha256', 'not known')}") for entry in account.get("inputs", ())
-    ]
-    rows += [("Alignment", sentence) for sentence in account.get("alignment", ())]
-    rows += [("What can be reached", sentence) for sentence in account.get("feasibility", ())]
-    asked = account.get("parameters", {})
-    rows.append(("Parameters", ", ".join(f"{name} = {value}" for name, value in sorted(asked.items()))))
-    return tuple((name, value) for name, value in rows if value)
-
-
-def _decimals(table: pd.DataFrame) -> dict[str, int]:
-    return {
-        str(name): 4 if table[name].abs().max() < 10 else 1 for name in table.columns if table[name].dtype.kind == "f"
-    }
-
-
-def _plain(value: Any) -> Any:
-    """A value as JSON holds it; None for NaN."""
-    value = value.item() if hasattr(value, "item") else value
-    return None if isinstance(value, float) and not math.isfinite(value) else value
