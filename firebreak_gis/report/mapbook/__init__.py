@@ -117,7 +117,8 @@ def _note(atlas: Atlas, own: list[int]) -> str:
         else f"{len(own)} of the {count} segments have a page; the list names all."
     )
     return (
-        f"{which} Build in that order; segments of one stage work only together. What each saves is its share of the "
-        "expected loss (how likely fires start, times what could burn) that all breaks together avoid. Lines run "
+        f"{which} Build in that order; segments of one stage work only together. What each saves is its share of what "
+        "all save one by one: of the expected loss (how likely fires start, times what could burn), or of what burns in "
+        "simulated fires, where the lines were improved by these. Lines run "
         "in the middle of the pale red strips, which are what to treat. Scales hold when printed at 100 %."
     )
