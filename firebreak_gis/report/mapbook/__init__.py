@@ -118,7 +118,7 @@ def _note(atlas: Atlas, own: list[int]) -> str:
     )
     return (
         f"{which} Build in that order; segments of one stage work only together. What each saves is its share of what "
-        "all save one by one: of the expected loss (how likely fires start, times what could burn), or of what burns in "
-        "simulated fires, where the lines were improved by these. Lines run "
-        "in the middle of the pale red strips, which are what to treat. Scales hold when printed at 100 %."
+        "all save one by one: of the expected loss (how likely fires start, times what could burn), or of what burns "
+        "in simulated fires, where the lines were improved by these. Lines run in the middle of the pale red strips, "
+        "which are what to treat. Scales hold when printed at 100 %."
     )
