@@ -104,18 +104,16 @@ def draw_lines(borders: Borders, transform: Affine) -> list[shapely.Geometry]:
     order = np.argsort(borders.edge, kind="stable")
     units = shapely.linestrings(borders.ends[order].astype(np.float64))
     merged = shapely.line_merge(shapely.multilinestrings(units, indices=borders.edge[order]))
-
-    def to_map(points: np.ndarray) -> np.ndarray:
-        return np.column_stack(
-            [transform.c + transform.a * points[:, 0] / 2, transform.f + transform.e * points[:, 1] / 2]
-        )
-
-    lines = []
-    for geometry in merged:
-        parts = [_smooth(shapely.get_coordinates(part)) for part in shapely.get_parts(geometry)]
-        plain = shapely.simplify(parts, 1e-6)
-        lines.append(shapely.transform(plain[0] if len(plain) == 1 else shapely.MultiLineString(list(plain)), to_map))
-    return lines
+    parts, stretch = shapely.get_parts(merged, return_index=True)
+    plain = shapely.simplify(_smooth(parts), 1e-6)
+    scale, shift = np.array([transform.a, transform.e]) / 2, np.array([transform.c, transform.f])
+    placed = shapely.transform(plain, lambda points: shift + scale * points)
+    count = np.bincount(stretch, minlength=merged.size)
+    lines = np.empty(merged.size, object)
+    single = count[stretch] == 1
+    lines[stretch[single]] = placed[single]
+    shapely.multilinestrings(placed[~single], indices=stretch[~single], out=lines)
+    return list(lines)
 
 
 def middle_line(outline: shapely.Geometry, border: shapely.Geometry | None) -> shapely.Geometry:
@@ -171,13 +169,24 @@ def _lines_of(geometry: shapely.Geometry) -> shapely.Geometry:
     return shapely.line_merge(shapely.MultiLineString(parts))
 
 
-def _smooth(points: np.ndarray) -> shapely.LineString:
+def _smooth(lines: np.ndarray) -> np.ndarray:
+    """Lines through the middles of the pieces of lines, and through their ends where they are not closed."""
     import shapely
 
-    middles = (points[1:] + points[:-1]) / 2
-    if (points[0] == points[-1]).all():
-        return shapely.LineString(np.concatenate([middles, middles[:1]]))
-    return shapely.LineString(np.concatenate([points[:1], middles, points[-1:]]))
+    points, line = shapely.get_coordinates(lines, return_index=True)
+    n_points = np.bincount(line, minlength=lines.size)
+    first = np.cumsum(n_points) - n_points
+    last = first + n_points - 1
+    closed = (points[first] == points[last]).all(axis=1)
+    # In the place of each point the middle before it; of the first its own place, or nothing where the line closes.
+    before = points.copy()
+    before[1:] = (points[1:] + points[:-1]) / 2
+    kept = np.ones(line.size, bool)
+    before[first], kept[first] = points[first], ~closed
+    ends = np.where(closed[:, np.newaxis], before[first + 1], points[last])
+    of = np.append(line[kept], np.arange(lines.size))
+    by_line = np.argsort(of, kind="stable")
+    return np.asarray(shapely.linestrings(np.append(before[kept], ends, axis=0)[by_line], indices=of[by_line]))
 
 
 def _stretches(one: np.ndarray, other: np.ndarray, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

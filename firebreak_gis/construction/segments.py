@@ -236,7 +236,10 @@ def _touches(parts: Compartments, cut: np.ndarray) -> tuple[np.ndarray, np.ndarr
 def _between(
     network: SpreadNetwork, borders: Borders, touches: np.ndarray, n_parts: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Cells beside a border that touch both of its compartments, with its stretch: a gap there would open it too."""
+    """Cells beside a border that touch both of its compartments, with its stretch: a gap there would open it too.
+
+    `touches` holds cell x (`n_parts` + 1) + compartment, rising.
+    """
     rows, cols = network.shape
     row, col = np.divmod(borders.cell, cols)
     found = [np.zeros((2, 0), np.int64)]
@@ -246,7 +249,8 @@ def _between(
         near = (r % rows * cols + c % cols)[inside]
         stretch = borders.cell_stretch[inside]
         keys = near[:, np.newaxis] * (n_parts + 1) + borders.pair[stretch]
-        both = np.isin(keys, touches).all(axis=1)
+        at = np.searchsorted(touches, keys)
+        both = (np.append(touches, -1)[at] == keys).all(axis=1)
         found.append(np.array([near[both], stretch[both]]))
     near, stretch = np.concatenate(found, axis=1)
     return near, stretch

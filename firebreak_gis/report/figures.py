@@ -91,6 +91,12 @@ def save(figure: Figure, path: str | os.PathLike[str], *, overwrite: bool = Fals
     kind = target.suffix.lstrip(".").lower()
     if kind not in _DATES:
         raise OutputError(f"{target.name} has no known picture extension; expected .{', .'.join(_DATES)}")
+    # Laid out here, once: to print a figure that has yet to be laid out, matplotlib draws it twice.
+    layout = figure.get_layout_engine()
+    if layout is not None:
+        figure.set_dpi(dpi)
+        layout.execute(figure)
+        figure.set_layout_engine("none")
     drawn = io.BytesIO()
     figure.savefig(drawn, dpi=dpi, format=kind, metadata=_DATES[kind])
     write_bytes(target, drawn.getvalue(), overwrite=overwrite)
