@@ -1,11 +1,11 @@
 """The wall that splits a patch best: minimum vertex cuts between opposite ends that grow, in several directions.
 
-The graph is that of `flow`. Flow is sent along paths that are found depth first, those neighbours first that lead
-straight ahead, so that on a map nearly every path is straight and short; what was searched in vain is not searched
-again before more could have become possible. Where costs are large numbers only the shortest paths are sought. The
-ends grow step by step and keep the flow, so that one pass yields minimum cuts of rising balance (the idea of
-FlowCutter: Hamann, Strasser 2018, doi 10.1145/3173045; of the ends: Schild, Sommer 2015, doi
-10.1007/978-3-319-20086-6_22).
+For patches in which some neighbours are not linked, or that go round a torus; all others: `chains`. The graph is that
+of `flow`. Flow is sent along paths that are found depth first, those neighbours first that lead straight ahead, so that
+on a map nearly every path is straight and short; what was searched in vain is not searched again before more could have
+become possible. Where costs are large numbers only the shortest paths are sought. The ends grow step by step and keep
+the flow, so that one pass yields minimum cuts of rising balance (the idea of FlowCutter: Hamann, Strasser 2018, doi
+10.1145/3173045; of the ends: Schild, Sommer 2015, doi 10.1007/978-3-319-20086-6_22).
 """
 
 from __future__ import annotations

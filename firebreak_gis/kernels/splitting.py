@@ -1,14 +1,11 @@
-"""A small patch split all the way down: in one call what `placement.patches.Patches.split` does piece by piece.
-
-Cells that are sorted along a direction stay so when they are parted, so each direction is sorted once; on a torus anew
-where pieces reach round it and those of them no longer do.
-"""
+"""A small patch split all the way down: in one call what `placement.patches.Patches.split` does piece by piece."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from firebreak_gis.kernels.bisection import best_cut
+from firebreak_gis.kernels.chains import best_chain, can_chain
 from firebreak_gis.kernels.patches import patch_links, pieces_after, thin
 from firebreak_gis.kernels.policy import kernel
 
@@ -57,6 +54,7 @@ def split_down(
     by_row: np.ndarray,
     by_col: np.ndarray,
     heads: np.ndarray,
+    toward: np.ndarray,
     shares: np.ndarray,
     periodic: bool,
     smallest: int,
@@ -77,6 +75,8 @@ def split_down(
         along each direction; first in the plane, then round a torus.
     heads, shares
         As in `bisection.best_cut`.
+    toward
+        As in `chains.best_chain`.
     periodic
         Whether the grid is a torus.
     sizes
@@ -89,17 +89,16 @@ def split_down(
         to be that it splits, -1 for none, and the place of that piece among the others; cells of the piece; ignition x
         value that it saves, float64. Walls come in levels: the first, those of its pieces, and so on.
     """
-    n, n_directions = cells.size, by_row.shape[1]
+    n = cells.size
     near = patch_links(cells, links, rows, cols, row_step, col_step)
     row, col = cells // cols, cells % cols
-    # Positions of the cells, and they in order along each direction; those of a piece lie together.
+    # Positions of the cells; those of a piece lie together.
     place = np.arange(n).astype(np.int32)
-    order = np.empty((n_directions, n), np.int32)
     local = np.empty(n, np.int32)
-    # Pieces wait in turn: from, to, the wall above, the place among its pieces, and how `order` is sorted.
+    # Pieces wait in turn: from, to, the wall above, and the place among its pieces.
     start, stop = np.empty(n + 1, np.int32), np.empty(n + 1, np.int32)
-    above, nth, way = np.empty(n + 1, np.int32), np.empty(n + 1, np.int32), np.empty(n + 1, np.int8)
-    start[0], stop[0], above[0], nth[0], way[0] = 0, n, -1, 0, -1
+    above, nth = np.empty(n + 1, np.int32), np.empty(n + 1, np.int32)
+    start[0], stop[0], above[0], nth[0] = 0, n, -1, 0
     head, tail = 0, 1
     walls, ends = np.empty(n, np.int64), np.empty(n, np.int64)
     parent, sibling, size = np.empty(n, np.int32), np.empty(n, np.int32), np.empty(n, np.int32)
@@ -108,11 +107,6 @@ def split_down(
     while head < tail:
         first, m = start[head], stop[head] - start[head]
         here = place[first : first + m].copy()
-        ring = 1 if periodic and _is_ring(row[here], col[here], rows, cols) else 0
-        if ring != way[head]:
-            fresh = _sorted(row[here], col[here], by_row[ring], by_col[ring])
-            for k in range(n_directions):
-                order[k, first : first + m] = here[fresh[k]]
         for i in range(m):
             local[here[i]] = i
         near_here = np.empty((m, 8), np.int32)
@@ -120,14 +114,16 @@ def split_down(
             for d in range(8):
                 u = near[here[i], d]
                 near_here[i, d] = local[u] if u >= 0 else -1
-        order_here = np.empty((n_directions, m), np.int32)
-        for k in range(n_directions):
-            for i in range(m):
-                order_here[k, i] = local[order[k, first + i]]
         own = cells[here]
         lit, worth = ignition[own], value[own]
         cut = np.empty(m, np.uint8)
-        best_cut(near_here, capacity[own], lit / ignitions, worth / values, order_here, heads, shares, cut)
+        row_here, col_here, share, at_risk = row[here], col[here], lit / ignitions, worth / values
+        if not periodic and can_chain(row_here, col_here, near_here):
+            best_chain(row_here, col_here, capacity[own], share, at_risk, toward, shares[0], cut)
+        else:
+            ring = 1 if periodic and _is_ring(row_here, col_here, rows, cols) else 0
+            order = _sorted(row_here, col_here, by_row[ring], by_col[ring])
+            best_cut(near_here, capacity[own], share, at_risk, order, heads, shares, cut)
         for i in range(m):
             cut[i] = cut[i] == 1
         thin(near_here, cut)
@@ -154,23 +150,13 @@ def split_down(
                 at[k] = at[k - 1] + count[k - 1]
                 if count[k] >= smallest:
                     start[tail], stop[tail], above[tail] = at[k], at[k] + count[k], n_walls
-                    nth[tail], way[tail] = k - 1, ring
+                    nth[tail] = k - 1
                     tail += 1
             ends[n_walls], parent[n_walls], sibling[n_walls] = filled, above[head], nth[head]
             size[n_walls], saved[n_walls] = m, gain
             n_walls += 1
-            _part(here, np.arange(m), piece, at, place)
-            for k in range(n_directions):
-                _part(here, order_here[k], piece, at, order[k])
+            for i in range(m):
+                place[at[piece[i]]] = here[i]
+                at[piece[i]] += 1
         head += 1
     return walls[:filled], ends[:n_walls], parent[:n_walls], sibling[:n_walls], size[:n_walls], saved[:n_walls]
-
-
-@kernel
-def _part(here: np.ndarray, order: np.ndarray, piece: np.ndarray, at: np.ndarray, out: np.ndarray) -> None:
-    """Write cells in an order piece by piece, each piece where it begins."""
-    filled = at.copy()
-    for i in range(order.size):
-        v = order[i]
-        out[filled[piece[v]]] = here[v]
-        filled[piece[v]] += 1

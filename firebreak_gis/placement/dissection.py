@@ -3,7 +3,7 @@
 A compartment is split where a wall saves most expected loss for its cost; expected loss is the chance that a fire
 starts in the compartment times the value in it, as if a fire that starts burnt all of it. The pieces are split in
 turn, which gives a tree of walls. Each wall is a minimum cut between two opposite ends, found in several directions
-and for ends of several sizes.
+and for ends of several sizes, or weighed by what it saves where it lies.
 """
 
 from __future__ import annotations
@@ -89,7 +89,8 @@ def dissect(
     directions
         Directions searched for each wall, evenly spaced over half a turn.
     shares
-        Shares of the compartment (mean of ignition and value mass) that the opposite ends hold, rising, below .5.
+        Shares of the compartment (mean of ignition and value mass) that the opposite ends hold, rising, below .5; where
+        walls are chains (see `patches`) the first alone counts.
     smallest
         Compartments of fewer cells are left whole.
     coarse_from
@@ -111,7 +112,7 @@ def dissect(
 
     Notes
     -----
-    Cost: about n log n, 30 s of processor time for 910,000 cells; memory about 200 B a cell.
+    Cost: about n log n, 7 s of processor time for 935,000 cells; memory about 200 B a cell.
     """
     patches = Patches.of(
         network, stakes, width=width, leaky=leaky, directions=directions, shares=shares, coarse_from=coarse_from

@@ -1,9 +1,13 @@
 """Patches of fuel, and the wall that splits one best: the minimum cut between two of its ends.
 
-A large patch is searched coarsely first: its cells are joined to blocks, of which a wall crosses one for about their
-cost over their side, and the best cut of the blocks is then made exact in a band around it, whose rims are its ends.
-So a wall costs little more than one look at the patch, and the wall is the cheapest in the band; what is lost is a
-cheaper one elsewhere, such as along a narrow strip of cheap cells, which blocks average out.
+Where fire passes between all neighbours, which is usual, the wall is a shortest path (`kernels.chains`). A large patch
+is searched coarsely first, by squares, of which a wall crosses one for about their cost over their side; the direction
+that is best for them is then searched cell by cell.
+
+Elsewhere, and on a torus, it is found by flow (`kernels.bisection`), and a large patch is joined to blocks; their best
+cut is made exact in a band around it, whose rims are its ends. So a wall costs little more than one look at the patch,
+and is the cheapest in the band; what is lost is a cheaper one elsewhere, such as along a narrow strip of cheap cells,
+which blocks average out.
 """
 
 from __future__ import annotations
@@ -16,6 +20,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from firebreak_gis.kernels.bisection import best_cut
+from firebreak_gis.kernels.chains import best_chain, can_chain
 from firebreak_gis.kernels.coarse import band, blocks
 from firebreak_gis.kernels.flow import UNCUTTABLE, cut_between
 from firebreak_gis.kernels.patches import patch_links, pieces_after, thin
@@ -148,12 +153,12 @@ class Patches:
 
     def split(self, cells: np.ndarray) -> Split | None:
         """Split a connected patch where a wall saves most for its cost; None if none saves anything."""
-        mask = self._coarse_wall(cells) if cells.size > self.coarse_from else None
         near = self.near(cells)
-        if mask is None:
-            mask = np.zeros(cells.size, np.uint8)
-            order = ordered(cells, self.shape, self.angles, periodic=self.periodic)
-            best_cut(near, self.capacity[cells], *self.masses(cells), order, self.heads, self.shares, mask)
+        row, col = np.divmod(cells, self.shape[1])
+        if not self.periodic and can_chain(row, col, near):
+            mask = self._chain(cells, row, col)
+        else:
+            mask = self._cheapest_cut(cells, near)
         wall = (mask == 1).astype(np.uint8)
         thin(near, wall)
         return Split(cells[wall > 0], pieces_of(cells, near, wall)) if wall.any() else None
@@ -184,12 +189,18 @@ class Patches:
                 self.values,
                 *self._places,
                 self.heads,
+                self.toward,
                 self.shares,
                 self.periodic,
                 smallest,
                 sizes,
             )
         )
+
+    @cached_property
+    def toward(self) -> np.ndarray:
+        """Rows and columns of a step along each direction of `angles`, (n, 2)."""
+        return np.concatenate([np.sin(self.angles), np.cos(self.angles)], axis=1)
 
     @cached_property
     def heads(self) -> np.ndarray:
@@ -216,15 +227,43 @@ class Patches:
         """Ignition and value of some cells, shares of those of the whole."""
         return self.ignition[cells] / self.ignitions, self.value[cells] / self.values
 
+    def _chain(self, cells: np.ndarray, row: np.ndarray, col: np.ndarray) -> np.ndarray:
+        """Mark of the best chain, as `chains.best_chain` sets it; in a large patch in the direction best by squares."""
+        toward, share = self.toward, float(self.shares[0])
+        if cells.size > self.coarse_from:
+            squares = self._squares(cells, row, col)
+            _, found = best_chain(*squares, toward, share, np.empty(squares[0].size, np.uint8))
+            toward = toward[found : found + 1] if found >= 0 else toward
+        mask = np.empty(cells.size, np.uint8)
+        best_chain(row, col, self.capacity[cells], *self.masses(cells), toward, share, mask)
+        return mask
+
+    def _squares(self, cells: np.ndarray, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, ...]:
+        """Squares of a patch, about half as many as `coarse_from`, as `chains.best_chain` takes cells."""
+        factor = factor_for(cells.size, self.coarse_from)
+        high, low = row // factor, col // factor
+        wide = int(low.max()) + 1
+        square, label = np.unique(high * wide + low, return_inverse=True)
+        cost = _joined_costs(self.capacity[cells], label, factor)
+        masses = (np.bincount(label, weights=mass) for mass in self.masses(cells))
+        return (*np.divmod(square, wide), cost, *masses)
+
+    def _cheapest_cut(self, cells: np.ndarray, near: np.ndarray) -> np.ndarray:
+        """Mark of the best minimum cut, as `bisection.best_cut` sets it."""
+        mask = self._coarse_wall(cells) if cells.size > self.coarse_from else None
+        if mask is None:
+            mask = np.zeros(cells.size, np.uint8)
+            order = ordered(cells, self.shape, self.angles, periodic=self.periodic)
+            best_cut(near, self.capacity[cells], *self.masses(cells), order, self.heads, self.shares, mask)
+        return mask
+
     def _coarse_wall(self, cells: np.ndarray) -> np.ndarray | None:
         """Mark of the wall, as `bisection.best_cut` sets it, found coarsely and made exact; None if that finds none."""
         factor = factor_for(cells.size, self.coarse_from)
         place = (self.links, *self.shape, _ROW_STEP, _COL_STEP)
         label, near = blocks(cells, *place, factor)
-        capacity, (ignition, value) = self.capacity[cells], self.masses(cells)
-        firm = capacity >= UNCUTTABLE
-        price = coarse_price(capacity, int(capacity[~firm].max(initial=1)))
-        cost = coarse_costs(np.bincount(label, weights=price), np.bincount(label, weights=~firm) == 0, factor)
+        ignition, value = self.masses(cells)
+        cost = _joined_costs(self.capacity[cells], label, factor)
         masses = (np.bincount(label, weights=ignition), np.bincount(label, weights=value))
         row, col = np.divmod(cells, self.shape[1])
         ring = self.periodic and _ring(row, col, self.shape)
@@ -299,6 +338,13 @@ def coarse_costs(price: np.ndarray, whole: np.ndarray, factor: int) -> np.ndarra
     """Cost of a wall across blocks, int32, from what their cells count in all and whether none may be cut."""
     across = price / factor
     return np.where(whole, UNCUTTABLE, np.maximum(np.rint(across), across > 0)).astype(np.int32)
+
+
+def _joined_costs(capacity: np.ndarray, label: np.ndarray, factor: int) -> np.ndarray:
+    """Cost of a wall across each of some groups of cells, int32."""
+    firm = capacity >= UNCUTTABLE
+    price = coarse_price(capacity, int(capacity[~firm].max(initial=1)))
+    return coarse_costs(np.bincount(label, weights=price), np.bincount(label, weights=~firm) == 0, factor)
 
 
 def pieces_of(cells: np.ndarray, near: np.ndarray, cut: np.ndarray | None = None) -> list[np.ndarray]:

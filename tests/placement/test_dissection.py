@@ -14,6 +14,7 @@ from scipy.ndimage import gaussian_filter
 
 from firebreak_gis.breaks import removal_order, select_breaks
 from firebreak_gis.kernels.bisection import best_cut
+from firebreak_gis.kernels.chains import best_chain, can_chain
 from firebreak_gis.kernels.coarse import band, blocks
 from firebreak_gis.kernels.flow import UNCUTTABLE, cut_between
 from firebreak_gis.kernels.patches import patch_links
@@ -39,10 +40,11 @@ LANDSCAPES = settings(max_examples=10, deadline=None, derandomize=True)
 
 
 def landscape(seed: int, shape: tuple[int, int] = (19, 24)) -> tuple[SpreadNetwork, Stakes]:
-    """Random fuel with holes, one-way edges, costs, values and protected cells; open or periodic."""
+    """Random fuel with holes, costs, values and protected cells; open or periodic; some ways shut, or none."""
     random = np.random.default_rng(seed)
     probability = random.random((8, *shape)).astype(np.float32)
-    probability[random.random(probability.shape) < 0.1] = 0
+    if seed % 4:
+        probability[random.random(probability.shape) < 0.1] = 0
     network = SpreadNetwork(probability, burnable=random.random(shape) > 0.15, boundary=("open", "periodic")[seed % 2])
     coarse = random.random((shape[0] // 4 + 1, shape[1] // 4 + 1)) < 0.1
     protected = np.kron(coarse, np.ones((4, 4), bool))[: shape[0], : shape[1]]
@@ -188,6 +190,53 @@ def test_a_cut_is_the_cheapest_between_its_ends(seed, share):
             assert of[0]
             assert of[1]
             assert not of[0] & of[1]
+
+
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(seed=SEEDS)
+def test_a_chain_is_the_cheapest_across_its_band(seed):
+    random = np.random.default_rng(seed)
+    shape = (int(random.integers(3, 9)), int(random.integers(3, 9)))
+    fuel = random.random(shape) < 0.8
+    row, col = (each.astype(np.int64) for each in np.nonzero(fuel))
+    if row.size < 3:
+        return
+    capacity = random.integers(0, 50, row.size).astype(np.int32)
+    capacity[random.random(row.size) < 0.1] = UNCUTTABLE
+    ignition, value = random.random((2, row.size))
+    angle, share = np.pi * random.random(), float(random.choice([0.2, 0.3]))
+    toward = np.array([[np.sin(angle), np.cos(angle)]])
+    mark = np.zeros(row.size, np.uint8)
+    score, _ = best_chain(row, col, capacity, ignition, value, toward, share, mark)
+    expected = twin.cheapest_chain(row, col, capacity, ignition, value, toward[0], share)
+    assert (score > 0) <= (expected is not None)
+    if expected is None:
+        assert not mark.any()
+    elif mark.any():
+        price, worth = expected
+        assert worth[mark == 1].sum() == price
+        one, other = (set(np.flatnonzero(mark == side).tolist()) for side in (0, 2))
+        assert not any(max(abs(row[a] - row[b]), abs(col[a] - col[b])) == 1 for a in one for b in other)
+        saved = 1.0 - sum(ignition[list(part)].sum() * value[list(part)].sum() for part in (one, other)) / (
+            ignition.sum() * value.sum()
+        )
+        assert score == pytest.approx(saved / max(capacity[mark == 1].sum(), 1))
+
+
+@LANDSCAPES
+@given(seed=SEEDS)
+def test_chains_are_sought_where_all_neighbours_are_linked(seed):
+    random = np.random.default_rng(seed)
+    fuel = np.pad(random.random((7, 9)) < 0.8, 1)
+    cells = np.flatnonzero(fuel)
+    shut = np.full(fuel.size, 255, np.uint8)
+    place = (*fuel.shape, np.array(ROW_STEP), np.array(COL_STEP))
+    near = patch_links(cells, shut, *place)
+    row, col = np.divmod(cells, fuel.shape[1])
+    assert can_chain(row, col, near)
+    shut[cells[seed % cells.size]] = 255 - 16
+    fewer = patch_links(cells, shut, *place)
+    assert can_chain(row, col, fewer) == bool((fewer == near).all())
 
 
 def test_dear_land_is_left_alone():

@@ -8,6 +8,7 @@ import networkx as nx
 import numpy as np
 
 from firebreak_gis.kernels.draws import open_edges
+from firebreak_gis.kernels.flow import UNCUTTABLE
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.dissection import Cut, along
@@ -123,6 +124,45 @@ def minimum_cut(network: SpreadNetwork, source: np.ndarray, sink: np.ndarray, co
         return float(nx.minimum_cut_value(graph, "source", "sink"))
     except nx.NetworkXUnbounded:
         return float("inf")
+
+
+def cheapest_chain(
+    row: np.ndarray,
+    col: np.ndarray,
+    capacity: np.ndarray,
+    ignition: np.ndarray,
+    value: np.ndarray,
+    toward: np.ndarray,
+    share: float,
+) -> tuple[float, np.ndarray] | None:
+    """What the chain of `chains.best_chain` in one direction counts, and what each cell does; None if there is none."""
+    top, left, high, wide = row.min() - 1, col.min() - 1, np.ptp(row) + 3, np.ptp(col) + 3
+    places = [(r, c) for r in range(high) for c in range(wide)]
+    along = np.array([toward[0] * r + toward[1] * c for r, c in places])
+    part = np.floor(2 * (along - min(0.0, toward[0] * (high - 1)) - min(0.0, toward[1] * (wide - 1))) + 1e-6)
+    part_of = dict(zip(places, part.astype(int).tolist(), strict=True))
+    cells = [(int(r - top), int(c - left)) for r, c in zip(row, col, strict=True)]
+    parts = np.array([part_of[cell] for cell in cells])
+    mass = 0.5 * (ignition / ignition.sum() + value / value.sum())
+    before = np.array([mass[parts < k].sum() for k in range(part_of[(high - 1, wide - 1)] + max(parts) + 3)])
+    held = sorted(set(parts.tolist()))
+    first = max([k for k in range(held[0], held[-1] + 1) if before[k + 1] <= share], default=held[0])
+    last = min([k for k in range(held[0], held[-1] + 1) if before[k] >= 1.0 - share], default=held[-1])
+    middle = 0.5 * (before[parts] + before[parts + 1])
+    counts = np.rint(256 * capacity / (4.0 * middle * (1.0 - middle)))
+    closed = {cell for cell, each in zip(cells, capacity, strict=True) if each >= UNCUTTABLE}
+    band = [place for place in places if first < part_of[place] < last and place not in closed]
+    price = dict(zip(cells, counts.tolist(), strict=True))
+    graph = nx.grid_2d_graph(high, wide).to_directed().subgraph(band).copy()
+    for _, b, edge in graph.edges(data=True):
+        edge["price"] = price.get(b, 0)
+    rim = [place for place in band if place[0] in (0, high - 1) or place[1] in (0, wide - 1)]
+    ends = list(nx.connected_components(nx.Graph(graph.subgraph(rim).to_undirected())))
+    if len(ends) != 2:
+        return None
+    found = nx.multi_source_dijkstra_path_length(graph, ends[0], weight="price")
+    cheapest = min((found[place] for place in ends[1] if place in found), default=None)
+    return None if cheapest is None else (cheapest, counts)
 
 
 def dissected(
