@@ -55,7 +55,8 @@ def texts(path):
 
 
 def flat(text):
-    return " ".join(text.split())
+    """Its words; where a font moves letters apart, a reader may see a gap behind a bracket."""
+    return " ".join(text.split()).replace("( ", "(")
 
 
 def own_pages(path):
