@@ -136,6 +136,7 @@ class Plan(Shown):
         """Six panels: the landscape, the burns without and with the breaks, and the curve."""
         from firebreak_gis.report.overview import overview_figure
 
+        existing = self.design.setting.planes.existing  # not with their worth, which takes fires
         return overview_figure(
             self.landscape,
             self.breaks,
@@ -146,7 +147,7 @@ class Plan(Shown):
             budget=float(self.share),
             caption=" ".join(self.judged.assumptions),
             lines=self.design.walls,
-            existing=None if self.standing is None else self.existing,
+            existing=existing.frame if isinstance(existing, Existing) else None,
         )
 
     def explore(self, **options: Any) -> Any:
