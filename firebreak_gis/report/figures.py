@@ -93,7 +93,7 @@ def save(figure: Figure, path: str | os.PathLike[str], *, overwrite: bool = Fals
         raise OutputError(f"{target.name} has no known picture extension; expected .{', .'.join(_DATES)}")
     # Laid out here, once: to print a figure that has yet to be laid out, matplotlib draws it twice.
     layout = figure.get_layout_engine()
-    if layout is not None:
+    if layout is not None and figure.axes:  # there is nothing to lay out in a figure of words alone
         figure.set_dpi(dpi)
         layout.execute(figure)
         figure.set_layout_engine("none")

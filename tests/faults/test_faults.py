@@ -152,7 +152,7 @@ def test_a_refusal_says_why_and_what_to_do(tmp_path, monkeypatch, code):
 
 WRITING = {"write_text", "write_bytes", "unlink", "rmdir", "touch", "rename", "hardlink_to", "symlink_to"}
 #: Where it is a column or a variable that gets another name.
-RENAMED = {"grid", "plan", "shapefile", "siting"}
+RENAMED = {"comparison", "grid", "plan", "shapefile", "siting"}
 #: Where GDAL writes a file by itself, which is read back before it takes its place.
 BY_GDAL = {"blocks"}
 IN_MEMORY = {("vectors", "to_file"), ("vectors", "to_parquet"), ("figures", "savefig"), ("__init__", "savefig")}
