@@ -139,11 +139,15 @@ class LineBreaks:
     def owners(self) -> np.ndarray:
         """The first line that crosses each link, (rows, cols, 8) int32 by their place in `lines`; -1 for none."""
         owner = np.full((*self.crossed.shape, 8), -1, np.int32)
+        traced = _trace(self.lines, self.grid)
+        first = np.searchsorted(traced.of, np.arange(len(self.lines) + 1))
         for k in range(len(self.lines)):
-            crossed, rows, cols = _crossed_by(self.lines.iloc[[k]], self.grid)
-            across = (crossed[..., np.newaxis] >> np.arange(8, dtype=np.uint8)) & 1 > 0
-            here = owner[rows, cols]
-            here[across & (here < 0)] = k
+            crossed, rows, cols = _crossed_by(traced.ends[first[k] : first[k + 1]], self.grid)
+            row, col = np.nonzero(crossed)
+            across = (crossed[row, col, np.newaxis] >> np.arange(8, dtype=np.uint8)) & 1 > 0
+            cells = row + rows.start, col + cols.start
+            before = owner[cells]
+            owner[cells] = np.where(across & (before < 0), k, before)
         return owner
 
     def parted(self, network: SpreadNetwork, *, residual: Residual = 0.0) -> SpreadNetwork:
@@ -308,6 +312,8 @@ class _Traced(NamedTuple):
         (n,) uint32, the mark of its line.
     begin, whole
         (n,) float64 [cells]: how far it begins from where its line does, and how long that is.
+    of
+        (n,) int64, rising: the place of its line among all.
     """
 
     ends: np.ndarray
@@ -315,6 +321,7 @@ class _Traced(NamedTuple):
     line: np.ndarray
     begin: np.ndarray
     whole: np.ndarray
+    of: np.ndarray
 
     def along(self, of: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """How far along its line the place on piece `of` is that is nearest to (x, y), each (n,) [cells]."""
@@ -338,7 +345,8 @@ def _trace(lines: gpd.GeoDataFrame, grid: Grid) -> _Traced:
     places, part = shapely.get_coordinates(parts, return_index=True)
     if not len(places):
         none = np.zeros(0)
-        return _Traced(np.zeros((0, 4), np.int64), none.astype(np.float32), none.astype(np.uint32), none, none)
+        ends, of = np.zeros((0, 4), np.int64), none.astype(np.int64)
+        return _Traced(ends, none.astype(np.float32), none.astype(np.uint32), none, none, of)
     at = np.rint(places * PARTS).astype(np.int64)
     joined = np.flatnonzero(part[1:] == part[:-1])
     ends = np.ascontiguousarray(np.concatenate([at[joined], at[joined + 1]], axis=1))
@@ -346,14 +354,13 @@ def _trace(lines: gpd.GeoDataFrame, grid: Grid) -> _Traced:
     metres = lines["width_m"].to_numpy(np.float32) if "width_m" in lines.columns else np.zeros(len(lines), np.float32)
     own, run = feature[joined], _run(places, feature)
     whole = run[np.searchsorted(feature, own, "right") - 1]
-    return _Traced(ends, metres[own], _marks(at, feature)[own], run[joined], whole)
+    return _Traced(ends, metres[own], _marks(at, feature)[own], run[joined], whole, own)
 
 
-def _crossed_by(lines: gpd.GeoDataFrame, grid: Grid) -> tuple[np.ndarray, slice, slice]:
-    """Bits of the links that lines cross in the window about them, and its rows and columns."""
+def _crossed_by(ends: np.ndarray, grid: Grid) -> tuple[np.ndarray, slice, slice]:
+    """Bits of the links that straight pieces cross in the window about them, and its rows and columns."""
     from firebreak_gis.kernels.crossings import PARTS, cross_links
 
-    ends = _trace(lines, grid).ends
     if not len(ends):
         return np.zeros((0, 0), np.uint8), slice(0, 0), slice(0, 0)
     x, y = ends[:, ::2] // PARTS, ends[:, 1::2] // PARTS
