@@ -14,17 +14,21 @@ from firebreak_gis.rasters.units import SPEED, Quantity
 
 if TYPE_CHECKING:
     from firebreak_gis.landscape.stake_layers import ValueLayer
+    from firebreak_gis.planning.line_design import Widths
 
 #: The layers of a landscape, as the command line names them.
 LAYERS = ("dem", "vegetation", "density")
+#: Among methods that are compared, `dissection` whose breaks are lines.
+LINES = "lines"
 
 
 class Method(NamedTuple):
-    """One of several rankings: what it is called, its plug-in, its parameters."""
+    """One of several rankings: what it is called, its plug-in, its parameters; of lines their width, None if usual."""
 
     label: str
     name: str
     params: dict[str, Any]
+    line_width: Widths | None = "cells"
 
 
 def pairs(words: Iterable[str], option: str) -> dict[str, str]:
@@ -44,17 +48,34 @@ def pairs(words: Iterable[str], option: str) -> dict[str, str]:
     return result
 
 
-def methods_list(text: str, option: str = "--methods") -> list[Method]:
-    """Split "bonacich:beta=0.2,random" into methods."""
+def methods_list(text: str, option: str = "--methods", *, lines: bool = False) -> list[Method]:
+    """Split "bonacich:beta=0.2,random" into methods; where asked, "lines:width=20" is one as well."""
     result = []
     for word in filter(None, (w.strip() for w in text.split(","))):
-        name, *params = word.split(":")
+        name, *rest = word.split(":")
+        params = pairs(rest, option)
+        if lines and name == LINES:
+            result.append(_of_lines(word, params, option))
+            continue
         plugins.load("ranking", name)
-        result.append(Method(word, name, pairs(params, option)))
+        result.append(Method(word, name, params))
     labels = [method.label for method in result]
     if not result or len(set(labels)) != len(labels):
         raise ParameterError(f"{option} got {text!r}, expected different names such as bonacich:beta=0.5,random")
     return result
+
+
+def plans_list(text: str, option: str = "--methods") -> list[Method]:
+    """Split "lines,bonacich:beta=0.2" into methods, lines among them."""
+    return methods_list(text, option, lines=True)
+
+
+def _of_lines(label: str, params: dict[str, Any], option: str) -> Method:
+    text = params.pop("width", None)
+    width = None if text is None else planned_width(text, f"{option} {LINES}:width")
+    if width == "cells":
+        raise ParameterError(f"{option} got {label!r}; breaks of cells are the method dissection")
+    return Method(label, "dissection", params, width)
 
 
 def budget(text: Any, _option: str = "") -> float | Budget:
@@ -185,12 +206,15 @@ def line_width(text: Any, option: str) -> float | str:
     return metres
 
 
-def planned_width(text: Any, option: str) -> float | str:
+def planned_width(text: Any, option: str) -> Widths:
     """Read "12" or "12m", in metres, "auto" or "cells"."""
     found = line_width(text, option)
-    if isinstance(found, str) and found.lower() not in ("auto", "cells"):
+    if not isinstance(found, str):
+        return found
+    words: dict[str, Widths] = {"auto": "auto", "cells": "cells"}
+    if found.lower() not in words:
         raise ParameterError(f"{option} is {text!r}, expected metres, such as 12m, auto or cells")
-    return found.lower() if isinstance(found, str) else found
+    return words[found.lower()]
 
 
 def measured(quantity: Quantity) -> Callable[[Any, str], float | str]:

@@ -37,12 +37,12 @@ def front_table(result: xr.Dataset, *, n_fires: float = 1.0) -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        One row a method, residual and budget, rising: `method`, `residual`, `d_f`, `ha_cut`, `paid` (hectares, or
-        money), `saved` (in all fires: hectares, or value), `step_saved` (per unit paid since the budget before, or
-        since none), each of the two with `_low` and `_high`, the ends of its 95 % interval (bootstrap over fires, the
-        same for all plans); `pays` (`yes`, `no`, `unsure`: whether that step saves more than it costs), `front`
-        (whether no other plan of the residual saves as much for less), and `stop`, `stop_low`, `stop_high`, the same
-        for all budgets of a method and residual: what is paid where the net saving is largest.
+        One row a method, residual and budget for which there is a plan, rising: `method`, `residual`, `d_f`, `ha_cut`,
+        `paid` (hectares, or money), `saved` (in all fires: hectares, or value), `step_saved` (per unit paid since the
+        budget before, or since none), each of the two with `_low` and `_high`, the ends of its 95 % interval (bootstrap
+        over fires, the same for all plans); `pays` (`yes`, `no`, `unsure`: whether that step saves more than it costs),
+        `front` (whether no other plan of the residual saves as much for less), and `stop`, `stop_low`, `stop_high`, the
+        same for all budgets of a method and residual: what is paid where the net saving is largest.
 
     Raises
     ------
@@ -54,13 +54,16 @@ def front_table(result: xr.Dataset, *, n_fires: float = 1.0) -> pd.DataFrame:
     require_fires(n_fires)
     picks = resamples(result.sizes["run"], int(result.attrs["fire_seed"]))
     saved, paid = _saved_and_paid(result, n_fires)
-    cut = result["cells_cut"].to_numpy() * float(result.attrs["cell_area_ha"])
+    cut, budgets = result["ha_cut"].to_numpy(), result["budget"].to_numpy()
     rows: list[dict[str, Any]] = []
     for i, method in enumerate(result["ranking"].to_numpy().tolist()):
         for j, residual in enumerate(result["residual"].to_numpy().tolist()):
-            steps = _steps(saved[i, :, j], paid[i, :, j], picks)
-            for k, budget in enumerate(result["budget"].to_numpy().tolist()):
-                known = {"method": method, "residual": residual, "d_f": budget, "ha_cut": cut[k]}
+            there = np.flatnonzero(~np.isnan(cut[i, :, j]))
+            if not there.size:
+                continue
+            steps = _steps(saved[i, there, j], paid[i, there, j], picks)
+            for k, at in enumerate(there):
+                known = {"method": method, "residual": residual, "d_f": float(budgets[at]), "ha_cut": cut[i, at, j]}
                 rows.append(known | {name: each[k] if np.ndim(each) else each for name, each in steps.items()})
     table = pd.DataFrame(rows)
     table.insert(list(table).index("pays") + 1, "front", _undominated(table))
@@ -80,8 +83,7 @@ def _saved_and_paid(result: xr.Dataset, n_fires: float) -> tuple[np.ndarray, np.
         return saved * n_fires, result["cost"].to_numpy()
     area = float(result.attrs["cell_area_ha"])
     saved = (result["burnt_untreated"].to_numpy() - result["burnt"].to_numpy()) * area
-    paid = np.broadcast_to(result["cells_cut"].to_numpy()[None, :, None] * area, saved.shape[:3])
-    return saved * n_fires, paid
+    return saved * n_fires, result["ha_cut"].to_numpy()
 
 
 def _steps(saved: np.ndarray, paid: np.ndarray, picks: np.ndarray) -> dict[str, Any]:

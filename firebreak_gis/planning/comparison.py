@@ -1,19 +1,20 @@
-"""Rankings against each other: methods x budgets x leaks, on fires that no plan was designed with."""
+"""Plans against each other: methods x budgets x leaks, on fires that no plan was designed with."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from firebreak_gis.breaks import Amount, Budget, select_breaks, shares_of
 from firebreak_gis.errors import ParameterError
-from firebreak_gis.evaluation.curves import Ranker, burnt_under
+from firebreak_gis.evaluation.curves import burnt_under
 from firebreak_gis.evaluation.measures import judge, resamples
 from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.planning.design import Designs
+from firebreak_gis.planning.line_design import LineDesign
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.simulation.fires import burn, resolved
 from firebreak_gis.simulation.ground import Ground
@@ -24,7 +25,12 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
+    from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
+
+
+#: Makes the plan for a budget (a share) and a residual, reporting its progress; the same object for the same plan.
+Planner = Callable[[float, float, Progress], Any]
 
 
 def compare(
@@ -46,7 +52,8 @@ def compare(
     network
         The spread network before cutting.
     methods
-        Names of rankings; each makes its plan for the budget and the residual.
+        Names of rankings; each makes its plan for the budget and the residual. Lines are none of them: `plan` makes
+        those for fires with a clock, in which the command compares them.
     budgets
         Shares of the cells that hold fuel such as 0.05 or "5%", or areas such as "20ha".
     residuals
@@ -84,7 +91,7 @@ def compare(
 
 def compare_plans(
     network: SpreadNetwork,
-    priorities: Mapping[str, np.ndarray | xr.DataArray | Ranker],
+    plans: Mapping[str, np.ndarray | xr.DataArray | Planner],
     fires: FireRequest,
     *,
     budgets: Sequence[float],
@@ -95,15 +102,15 @@ def compare_plans(
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
-    """Burn the same fresh fires under every ranking, budget and residual.
+    """Burn the same fresh fires under every plan.
 
     Parameters
     ----------
     network
         The spread network before cutting.
-    priorities
-        By label: a priority raster, or a function ``(budget, residual, progress)`` that returns the one of the plan
-        for them; where it returns the same object it has the same plan.
+    plans
+        By label: a priority raster; or a function ``(budget, residual, progress)`` that returns the priority of the
+        plan for them, or its `LineDesign`, or None where it has no plan. The same object is the same plan.
     fires
         What is burnt. Its seed is that of the designs, the fires are drawn with another one; its leak gives way to
         `residuals`.
@@ -124,13 +131,19 @@ def compare_plans(
     -------
     xarray.Dataset
         `burnt` (ranking, budget, residual, run) cells burnt, `lost` likewise value lost, `burnt_untreated`,
-        `lost_untreated` (run), `cells_cut` (budget), `cost` (ranking, budget, residual). The attribute `priced` tells
-        whether costs and values were given.
+        `lost_untreated` (run); `cells_cut`, `ha_cut` and `cost` (ranking, budget, residual), of lines the cells that
+        they pass, and what their length times width is and costs. All NaN where there is no plan. The attribute
+        `priced` tells whether costs and values were given.
+
+    Raises
+    ------
+    ParameterError
+        If there is no plan at all.
 
     Notes
     -----
-    Perfect breaks and fires without a clock need one pass a run for all budgets (`burn_curve`) unless values are given;
-    all else is simulated for each budget, with the same draws.
+    Perfect breaks of cells and fires without a clock need one pass a run for all budgets (`burn_curve`) unless values
+    are given; all else is simulated for each budget, with the same draws.
     """
     import xarray as xr
 
@@ -144,26 +157,26 @@ def compare_plans(
     worth = network.burnable.astype(np.float64) if value is None else value
     ground = ground or Ground(network)
     untreated = _fires(ground, fresh, None, worth, threads, part(report, 0.0, 0.02, "untreated: "))
-    shape = (len(priorities), len(budgets), len(residuals), fires.n_runs)
-    burnt, lost, paid = np.zeros(shape), np.zeros(shape), np.zeros(shape[:3])
+    shape = (len(plans), len(budgets), len(residuals), fires.n_runs)
+    burnt, lost, taken = np.zeros(shape), np.zeros(shape), np.zeros((3, *shape[:3]))
     price = network.burnable.astype(np.float64) if cost is None else cost
-    steps = [(i, j) for i in range(len(priorities)) for j in range(len(residuals))]
+    steps = [(i, j) for i in range(len(plans)) for j in range(len(residuals))]
     for n, (i, j) in enumerate(steps):
-        (label, priority), residual = list(priorities.items())[i], residuals[j]
+        (label, plan), residual = list(plans.items())[i], residuals[j]
         span = (0.02 + 0.98 * n / len(steps), 0.02 + 0.98 * (n + 1) / len(steps))
         step = part(report, *span, f"{label}, residual {residual:g}: ")
-        ranked: list[Any] = [
-            priority(b, residual, part(step, 0.6 * k / len(budgets), 0.6 * (k + 1) / len(budgets)))
-            if callable(priority)
-            else priority
+        made: list[Any] = [
+            plan(b, residual, part(step, 0.6 * k / len(budgets), 0.6 * (k + 1) / len(budgets)))
+            if callable(plan)
+            else plan
             for k, b in enumerate(budgets)
         ]
-        cuts = [select_breaks(p, budget=b, burnable=network.burnable) for p, b in zip(ranked, budgets, strict=True)]
-        paid[i, :, j] = [price[cut.to_numpy() > 0].sum() for cut in cuts]
+        cuts = [_cut(each, b, network, price) for each, b in zip(made, budgets, strict=True)]
+        taken[:, i, :, j] = np.transpose([(cut.cells, cut.ha, cut.cost) for cut in cuts])
         burnt[i, :, j], lost[i, :, j] = _burn(
             network,
             ground,
-            ranked,
+            made,
             cuts,
             budgets,
             replace(fresh, residual=residual),
@@ -171,7 +184,11 @@ def compare_plans(
             threads,
             part(step, 0.6, 1.0),
         )
-    cut = [Budget(b).cells(n_burnable=network.n_burnable) for b in budgets]
+    if np.isnan(taken).all():
+        raise ParameterError(
+            "no method has a plan: no budget pays the first wall of lines, or treated cells keep something; give "
+            "larger budgets, or methods that rank cells"
+        )
     dims = ("ranking", "budget", "residual", "run")
     return xr.Dataset(
         {
@@ -179,10 +196,9 @@ def compare_plans(
             "lost": (dims, lost),
             "burnt_untreated": ("run", untreated["fire_size"].to_numpy()),
             "lost_untreated": ("run", untreated["value_lost"].to_numpy()),
-            "cells_cut": ("budget", cut),
-            "cost": (dims[:3], paid),
+            **{name: (dims[:3], each) for name, each in zip(("cells_cut", "ha_cut", "cost"), taken, strict=True)},
         },
-        coords={"ranking": list(priorities), "budget": budgets, "residual": residuals},
+        coords={"ranking": list(plans), "budget": budgets, "residual": residuals},
         attrs={
             "n_burnable": network.n_burnable,
             "cell_area_ha": network.grid.cell_area_ha,
@@ -193,10 +209,33 @@ def compare_plans(
     )
 
 
+@dataclass(frozen=True, eq=False)
+class _Cut:
+    """What a plan cuts: the breaks as fires meet them, cells, hectares and cost; None and NaN without a plan."""
+
+    breaks: xr.DataArray | LineBreaks | None = None
+    cells: float = np.nan
+    ha: float = np.nan
+    cost: float = np.nan
+
+
+def _cut(plan: Any, budget: float, network: SpreadNetwork, price: np.ndarray) -> _Cut:
+    """What is cut for a budget, of cells by their price."""
+    if plan is None:
+        return _Cut()
+    if isinstance(plan, LineDesign):
+        amount = Budget(budget)
+        figures = plan.figures(amount)
+        return _Cut(plan.breaks(amount), figures["cells_cut"], figures["ha_cut"], figures["cost"])
+    breaks = select_breaks(plan, budget=budget, burnable=network.burnable)
+    cells = int(breaks.attrs["cells_cut"])
+    return _Cut(breaks, cells, cells * network.grid.cell_area_ha, float(price[breaks.to_numpy() > 0].sum()))
+
+
 def _fires(
     ground: Ground,
     fires: FireRequest,
-    breaks: xr.DataArray | None,
+    breaks: xr.DataArray | LineBreaks | None,
     value: np.ndarray | None,
     threads: int | None,
     progress: Progress,
@@ -216,34 +255,37 @@ def _fires(
 def _burn(
     network: SpreadNetwork,
     ground: Ground,
-    ranked: list[Any],
-    cuts: list[xr.DataArray],
+    made: list[Any],
+    cuts: list[_Cut],
     budgets: Sequence[float],
     fires: FireRequest,
     value: np.ndarray | None,
     threads: int | None,
     progress: Progress,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Cells burnt and value lost, (n_budgets, n_runs) each, under the ranking of every budget."""
+    """Cells burnt and value lost, (n_budgets, n_runs) each, under the plan of every budget; NaN where there is none."""
     shape = (len(budgets), fires.n_runs)
-    burnt, lost = np.zeros(shape), np.zeros(shape)
-    if fires.residual == 0.0 and value is None:
+    burnt, lost = np.full(shape, np.nan), np.full(shape, np.nan)
+    ranked = not any(plan is None or isinstance(plan, LineDesign) for plan in made)
+    if ranked and fires.residual == 0.0 and value is None:
         burnt[:] = burnt_under(
-            network, ranked, fires, budgets=budgets, ground=ground, threads=threads, progress=progress
+            network, made, fires, budgets=budgets, ground=ground, threads=threads, progress=progress
         ).T
         return burnt, burnt
-    for k, breaks in enumerate(cuts):
+    for k, cut in enumerate(cuts):
+        if cut.breaks is None:
+            continue
         step = part(progress, k / len(budgets), (k + 1) / len(budgets))
-        run = _fires(ground, fires, breaks, value, threads, step)
+        run = _fires(ground, fires, cut.breaks, value, threads, step)
         burnt[k] = run["fire_size"]
         lost[k] = run["fire_size"] if value is None else run["value_lost"]
     return burnt, lost
 
 
 def comparison_table(result: xr.Dataset) -> pd.DataFrame:
-    """One row a ranking, budget and residual, each measure with its 95 % interval.
+    """One row a method, budget and residual for which it has a plan, each measure with its 95 % interval.
 
-    Columns: method, d_f, residual, cells_cut, ha_cut, R (mean burnt share), and those of `judgement.judge`.
+    Columns: method, d_f, residual, cells_cut, ha_cut, R (mean burnt share), and those of `measures.judge`.
     """
     import pandas as pd
 
@@ -252,21 +294,22 @@ def comparison_table(result: xr.Dataset) -> pd.DataFrame:
     untreated = result["burnt_untreated"].to_numpy()
     rows = []
     for label in result["ranking"].to_numpy().tolist():
-        for budget, cells in zip(result["budget"].to_numpy(), result["cells_cut"].to_numpy(), strict=True):
+        for budget in result["budget"].to_numpy():
             for residual in result["residual"].to_numpy():
                 chosen = result.sel(ranking=label, budget=budget, residual=residual)
+                cut_ha = float(chosen["ha_cut"])
+                if np.isnan(cut_ha):
+                    continue
                 burnt, lost = chosen["burnt"].to_numpy(), chosen["lost"].to_numpy()
                 row: dict[str, Any] = {
                     "method": label,
                     "d_f": float(budget),
                     "residual": float(residual),
-                    "cells_cut": int(cells),
-                    "ha_cut": cells * area,
+                    "cells_cut": int(chosen["cells_cut"]),
+                    "ha_cut": cut_ha,
                     "R": burnt.mean() / n_burnable,
                 }
-                rows.append(
-                    row | judge(burnt, lost, untreated, treated_ha=cells * area, cell_area_ha=area, picks=picks)
-                )
+                rows.append(row | judge(burnt, lost, untreated, treated_ha=cut_ha, cell_area_ha=area, picks=picks))
     table = pd.DataFrame(rows)
     table.attrs.update(n_burnable=n_burnable, cell_area_ha=area)  # for `plot`
     return table

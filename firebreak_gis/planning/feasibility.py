@@ -216,6 +216,10 @@ class _Check:
         """Whether breaks can be lines of that width, and how long they get."""
         if width is None or width == "cells":
             return
+        try:
+            self.grid.require_metres("lines with a width")
+        except FirebreakError as error:
+            self.problems.append(error)
         if isinstance(width, str):
             self.account.append("breaks are lines of the width that suits the flames; they count by length times width")
             return

@@ -81,16 +81,29 @@ class LineDesign:
             return budget.affordable(self.walls["cost"].to_numpy())
         return Budget(_money(budget, self.fuel_ha), "cost").affordable(self.walls["area_ha"].to_numpy())
 
+    def built(self, budget: Budget) -> gpd.GeoDataFrame:
+        """Those walls."""
+        return self.walls.iloc[: self.bought(budget)]
+
     def breaks(self, budget: Budget) -> LineBreaks | None:
         """The walls that a budget pays, on the grid; None if it pays none."""
-        count = self.bought(budget)
-        if not count:
-            return None
-        return laid_on(self.walls[["width_m", "geometry"]].iloc[:count], self.grid)
+        built = self.built(budget)
+        return laid_on(built[["width_m", "geometry"]], self.grid) if len(built) else None
+
+    def figures(self, budget: Budget) -> dict[str, Any]:
+        """What the walls are that a budget pays: cells that they pass, hectares, cost, kilometres and their number."""
+        built = self.built(budget)
+        return {
+            "cells_cut": int(self.passed(budget).attrs["cells_cut"]),
+            "ha_cut": round(float(built["area_ha"].sum()), 4),
+            "cost": float(built["cost"].sum()),
+            "line_km": round(float(built["length_m"].sum()) / 1000.0, 4),
+            "walls": len(built),
+        }
 
     def share(self, budget: Budget) -> float:
         """Share of the area of the fuel that the walls take which a budget pays."""
-        return float(self.walls["area_ha"].iloc[: self.bought(budget)].sum()) / max(self.fuel_ha, 1e-300)
+        return float(self.built(budget)["area_ha"].sum()) / max(self.fuel_ha, 1e-300)
 
     @property
     def priority(self) -> xr.DataArray:
@@ -102,12 +115,41 @@ class LineDesign:
 
     def passed(self, budget: Budget) -> xr.DataArray:
         """`breaks` (y, x) uint8: 1 in cells that a line passes which the budget pays."""
-        count = self.bought(budget)
-        prints = footprints(self.walls.iloc[:count], self.grid)
+        prints = footprints(self.built(budget), self.grid)
         plane = np.zeros(self.grid.shape, np.uint8)
         plane.ravel()[prints.cell] = 1
         told = {"budget": float(budget.amount), "unit": budget.unit, "cells_cut": int(plane.sum())}
         return annotate(self.grid.dataarray(plane, "breaks")).assign_attrs(told)
+
+
+class Walls:
+    """The walls of a landscape, which are the same for every budget, sought once for each size of compartments.
+
+    Parameters
+    ----------
+    network, stakes, threads
+        As in `design_lines`.
+    """
+
+    def __init__(self, network: SpreadNetwork, stakes: Stakes, threads: int | None = None) -> None:
+        self._network, self._stakes, self._threads = network, stakes, threads
+        self._found: dict[tuple[int, int], list[LineCut]] = {}
+
+    def __call__(self, directions: int, smallest: int, progress: Progress) -> list[LineCut]:
+        """As `placement.lines.dissect_by_lines` returns them."""
+        from firebreak_gis.placement.lines import dissect_by_lines
+
+        key = directions, smallest
+        if key not in self._found:
+            self._found[key] = dissect_by_lines(
+                self._network,
+                self._stakes,
+                directions=directions,
+                smallest=smallest,
+                threads=self._threads,
+                progress=progress,
+            )
+        return self._found[key]
 
 
 def design_lines(
@@ -119,6 +161,7 @@ def design_lines(
     params: Mapping[str, Any] | None = None,
     trial: Trial | None = None,
     refine: bool = False,
+    walls: Walls | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> LineDesign:
@@ -142,6 +185,8 @@ def design_lines(
         Fires with a clock of the kind that will judge the plan; None: walls are built in the order of what they save.
     refine
         Whether that search takes more fires, and is made where breaks never fail too.
+    walls
+        Of this network and these stakes, where other budgets have been or will be asked as well.
     threads, progress
         As in `plan`.
 
@@ -151,7 +196,6 @@ def design_lines(
         If the width is not above 0, or there are no fires to choose it by, or another parameter is given.
     """
     from firebreak_gis.placement.choosing import Choice
-    from firebreak_gis.placement.lines import dissect_by_lines
     from firebreak_gis.progress import part
 
     directions, smallest = line_params(params or {})
@@ -166,8 +210,9 @@ def design_lines(
     first = part(progress, 0.0, 0.6 if trial else 1.0)
     grid = network.grid
     money = _money(budget, network.n_burnable * grid.cell_area_ha)
+    seek = walls or Walls(network, stakes, threads)
     for each in sizes:
-        cuts = dissect_by_lines(network, stakes, directions=directions, smallest=each, threads=threads, progress=first)
+        cuts = seek(directions, each, first)
         if _each(cuts, budget, width or WIDTHS[-1], grid).sum() >= money:
             break
     drawing = partial(_drawn, cuts, network, stakes, budget, hold=Hold() if trial is None else trial.fires.holding)

@@ -1,4 +1,4 @@
-"""The figures of `compare`: burnt share of every ranking at every budget, and what is saved against what is paid."""
+"""The figures of `compare`: burnt share of every plan at every budget, and what is saved against what is paid."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from firebreak_gis.report.figures import LINE_COLOURS, caption_under, new_figure
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
+    from matplotlib.ticker import Formatter
 
 #: Rankings that lay a pattern known from practice.
 PATTERNS = ("compartments", "dfpz", "splat", "stripes")
@@ -39,11 +40,10 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
         for k, label in enumerate(labels):
             picked = rows[(rows["residual"] == residual) & (rows["method"] == label)].sort_values("d_f")
             colour, line = _look(label, k)
-            axes.plot(
-                picked["d_f"], picked["R"], color=colour, ls=line, lw=1.6, marker="osD^vP*X"[k % 8], ms=4.5, label=label
-            )
+            cut = picked["ha_cut"] / total  # of lines less than the budget, of which no wall may be built in part
+            axes.plot(cut, picked["R"], color=colour, ls=line, lw=1.6, marker="osD^vP*X"[k % 8], ms=4.5, label=label)
             low, high = (picked[f"burnt_ha_{end}"].clip(lower=1e-6 * total) / total for end in ("low", "high"))
-            axes.fill_between(picked["d_f"], low, high, color=colour, alpha=0.12, lw=0)
+            axes.fill_between(cut, low, high, color=colour, alpha=0.12, lw=0)
         untreated = _untreated(rows) / total
         axes.axhline(untreated, color="#222222", lw=0.8, ls=":")
         axes.annotate(
@@ -56,10 +56,11 @@ def comparison_figure(rows: pd.DataFrame, *, n_burnable: int, cell_area_ha: floa
         axes.set_yscale("log")
         for axis in (axes.xaxis, axes.yaxis):
             axis.set_major_formatter(FuncFormatter(lambda share, _: f"{100 * share:g} %"))
-        axes.set_xlabel("share of the fuel cut, $d_f$", fontsize=9)
+        axes.yaxis.set_minor_formatter(_percent_between())
+        axes.set_xlabel("share of the fuel cut", fontsize=9)
         axes.set_xlim(left=0.0)
         axes.grid(color="#e6e6e6", lw=0.5, which="both")
-        axes.tick_params(labelsize=8)
+        axes.tick_params(labelsize=8, which="both")
     panels[0].set_ylabel("mean share of the fuel burnt, $R$ (log scale)", fontsize=9)
     top = 1.4 * max(float(rows["R"].max()), _untreated(rows) / total)
     panels[0].set_ylim(max(5e-4, 0.7 * float(rows["R"].min())), min(1.3, top))
@@ -130,6 +131,17 @@ def front_figure(front: pd.DataFrame, *, priced: bool, caption: str = "") -> Fig
         *panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=8, fontsize=8, frameon=False
     )
     return figure
+
+
+def _percent_between() -> Formatter:
+    """Percent at those ticks between powers of ten that a log axis labels."""
+    from matplotlib.ticker import LogFormatter
+
+    class Percent(LogFormatter):
+        def __call__(self, x: float, pos: int | None = None) -> str:
+            return f"{100 * x:g} %" if super().__call__(x, pos) else ""
+
+    return Percent()
 
 
 def _look(label: str, k: int) -> tuple[str, str]:

@@ -252,7 +252,7 @@ FORMS = (
         "judge",
         ("network", "method_list", "budgets", "residuals", *_FIRES),
         ("OUTPUT_COMPARISON", "OUTPUT_FIGURE", "OUTPUT_REPORT"),
-        "Compare rankings: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with "
+        "Compare plans: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with "
         "intervals.\n\nThe fires are fresh: no plan was designed with them, and all burn in the same ones.",
         tags=("statistics", "leak", "budget"),
     ),

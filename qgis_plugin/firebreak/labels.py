@@ -40,7 +40,7 @@ LABELS: Mapping[str, str] = {
     "where": "Conditions on features, such as barriers=highway = 'primary'",
     "foreign": "Take a raster that was not written as a priority",
     "method": "Ranking",
-    "method_list": "Rankings",
+    "method_list": "Methods",
     "method_params": "Parameters of the ranking, such as beta=0.5; width=60",
     "model_params": "Parameters of the spread model, such as p0=0.5",
     "what": "What of the segments goes into a format with one layer",
@@ -154,6 +154,7 @@ CHOICES: Mapping[str, Mapping[str, str]] = {
     "bits": {"exact": "Exact", "16": "16 bits", "8": "8 bits"},
     "budget_unit": {"share": "Share of the fuel (0 to 1)", "ha": "Hectares", "cost": "Money"},
     "protected_rule": {"every-part": "Cells with any part in the area", "centre": "Cells whose centre is in the area"},
+    "method_list": {"lines": "Lines: walls as wide as a cell and at most 30 m, of which plans are made by default"},
     "goal": {"mean": "The mean fire", "worst-tenth": "The worst tenth of the fires"},
     "what": {"lines": "Their middle lines", "polygons": "Their outlines"},
     "paper": {"a4": "A4", "a3": "A3", "letter": "Letter"},
@@ -188,7 +189,7 @@ HELP: Mapping[str, str] = {
 #: Help where a form is filled in otherwise than the command line: numbers alone, or a list to tick.
 HELP_OF_FORMS: Mapping[str, str] = {
     "method": "By which cells are ranked; higher is cut earlier. All are described below.",
-    "method_list": "Rankings to hold against each other; all are described below.",
+    "method_list": "Methods to hold against each other; all rankings are described below.",
     "model": "How fire gets from a cell to its neighbours; all are described below.",
     "budget": "How much to cut: a share of the cells that hold fuel such as 10% or 0.1, an area such as 5ha, or money "
     "such as 20000eur, in the currency of the costs.",

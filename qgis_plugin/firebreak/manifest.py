@@ -157,7 +157,11 @@ def _description(form: forms.Form, document: dict[str, Any]) -> Description:
     fields = [f for f in fields if form.name in names.ONLY_IN.get(f.name, (form.name,))]
     fields.sort(key=lambda f: (f.advanced, order.get(f.option, len(order))))
     chosen = [set(f.choices) for f in fields if f.choices]
-    kinds = {kind for kind, known in document["methods"].items() if {method["name"] for method in known} in chosen}
+    kinds = {
+        kind
+        for kind, known in document["methods"].items()
+        if any({method["name"] for method in known} <= choices for choices in chosen)
+    }
     return Description(
         form,
         form.about,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 from hypothesis import given, settings
@@ -34,7 +35,7 @@ def result(saved, cut, *, priced=False, cost=None, noise=0.0, runs=40, seed=1):
             "lost": (dims, 10.0 * burnt),
             "burnt_untreated": ("run", untreated),
             "lost_untreated": ("run", 10.0 * untreated),
-            "cells_cut": ("budget", np.asarray(cut)),
+            "ha_cut": (dims[:3], np.broadcast_to(0.5 * np.asarray(cut, float)[None, :, None], burnt.shape[:3]).copy()),
             "cost": (dims[:3], paid),
         },
         coords={
@@ -106,6 +107,28 @@ def test_intervals_are_those_of_a_plain_bootstrap_over_pairs(saved, noise, seed)
     assert ((table["pays"] == STOPPED) == (high < 1.0)).all()
 
 
+@settings(max_examples=40, deadline=None)
+@given(data=st.data())
+def test_plans_that_are_not_there_change_nothing_for_those_that_are(data):
+    """Against the comparison of each method alone, of the budgets for which it has a plan."""
+    saved, cut = [[100, 150, 170], [80, 140, 200]], [10, 30, 60]
+    made = result(saved, cut, noise=5.0)
+    gone = np.array(data.draw(st.lists(st.booleans(), min_size=6, max_size=6))).reshape(2, 3)
+    gone[0, 1] = False
+    holes = made.copy(deep=True)
+    for name in ("burnt", "lost", "ha_cut", "cost"):
+        holes[name].to_numpy()[gone] = np.nan
+    table = front_table(holes)
+    assert not table.drop(columns="front").isna().any().any()
+    assert len(table) == np.count_nonzero(~gone)
+    for i, name in enumerate(("r0", "r1")):
+        alone = made.isel(ranking=[i], budget=np.flatnonzero(~gone[i]))
+        mine = table[table["method"] == name].reset_index(drop=True)
+        if len(mine):
+            pd.testing.assert_frame_equal(mine.drop(columns="front"), front_table(alone).drop(columns="front"))
+    assert stops_told(table, priced=False)
+
+
 def test_a_comparison_tells_what_its_plans_cost():
     network = random_network(4, shape=(12, 15))
     cost = np.where(network.burnable, np.arange(180.0).reshape(12, 15), 0.0)
@@ -113,6 +136,9 @@ def test_a_comparison_tells_what_its_plans_cost():
     fires = FireRequest(n_runs=8, seed=2)
     made = compare_plans(network, {"r": priority}, fires, budgets=[0.1, 0.3], residuals=[0.0], cost=cost)
     order = np.argsort(-priority.to_numpy().ravel(), kind="stable")
-    expected = [cost.ravel()[order[:k]].sum() for k in made["cells_cut"].to_numpy()]
+    cells = made["cells_cut"].to_numpy()[0, :, 0].astype(int)
+    assert cells.tolist() == [round(share * network.n_burnable) for share in (0.1, 0.3)]
+    np.testing.assert_allclose(made["ha_cut"].to_numpy()[0, :, 0], cells * network.grid.cell_area_ha)
+    expected = [cost.ravel()[order[:k]].sum() for k in cells]
     assert made["cost"].to_numpy()[0, :, 0].tolist() == expected
     assert not made.attrs["priced"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 
     from firebreak_gis.breaks import Budget
     from firebreak_gis.network import SpreadNetwork
+    from firebreak_gis.planning.judging import Judging
     from firebreak_gis.stakes import Stakes
 
 
@@ -103,10 +105,10 @@ def _told(compared: _Compared) -> dict[str, object]:
 
 #: What the command writes into its folder.
 OUTPUTS: tuple[Output[_Compared], ...] = (
-    Output("comparison.csv", "Every ranking at every budget and leak, with intervals", _table(lambda made: made.rows)),
-    Output("comparison.png", "Curves of the rankings", _picture),
-    Output("comparison.svg", "Curves of the rankings, to scale", _picture),
-    Output("front.csv", "What each step of each ranking costs and saves", _table(lambda made: made.front)),
+    Output("comparison.csv", "Every plan at every budget and leak, with intervals", _table(lambda made: made.rows)),
+    Output("comparison.png", "Curves of the plans", _picture),
+    Output("comparison.svg", "Curves of the plans, to scale", _picture),
+    Output("front.csv", "What each step of each plan costs and saves", _table(lambda made: made.front)),
     Output("front.png", "Saved against paid, and where the next hectare stops paying", _front_picture),
     Output("report.html", "The comparison on one page; opens in any browser", _page, main=True),
     account("compare", _told),
@@ -119,12 +121,13 @@ OUTPUTS: tuple[Output[_Compared], ...] = (
 @click.option(
     "--methods",
     "method_list",
-    type=kinds.RANKINGS,
-    default="dissection,compartments,stripes,bonacich,flammability,random",
+    type=kinds.PLANS,
+    default="lines,dissection,compartments,stripes,bonacich,flammability,random",
     show_default=True,
     metavar="LIST",
-    help="Rankings, separated by commas, parameters by colons: dissection:width=2,random. What is not set, a method "
-    "that asks for the budget or the leak is told for each plan.",
+    help="Methods, separated by commas, parameters by colons: dissection:width=2,random. What is not set, a method "
+    "that asks for the budget or the leak is told for each plan. lines are the breaks that firebreak plan makes where "
+    "nothing is said, and left out where it makes none; lines:width=20m have that width in metres.",
 )
 @click.option(
     "--budgets",
@@ -186,7 +189,7 @@ def command(
     expected_fires: float,
     dem: str | None,
 ) -> None:
-    """Compare rankings on NETWORK: expected burnt area, value lost, worst fires and leverage, with intervals.
+    """Compare plans on NETWORK: expected burnt area, value lost, worst fires and leverage, with intervals.
 
     Also the front, what is saved against what is paid, and where the next hectare stops paying: where it saves less
     than a hectare; with --cost and --values, less than its price.
@@ -204,6 +207,8 @@ def command(
     from firebreak_gis.placement.trial import Trial
     from firebreak_gis.planning.comparison import compare_plans, comparison_table
     from firebreak_gis.planning.design import Designs
+    from firebreak_gis.planning.line_design import Walls
+    from firebreak_gis.planning.line_designs import LineDesigns
     from firebreak_gis.planning.scene import files_of, open_scene
     from firebreak_gis.planning.timing import Estimate, fire_seconds, ranking_seconds
     from firebreak_gis.progress import part
@@ -227,15 +232,21 @@ def command(
         fires = replace(fires, ignitions=planes.ignition)
     judged = replace(scene.judging(fires, timeless=timeless), sited=sited.told)
     fires = checked_fires(judged.fires, barred, session)
-    for sentence in judged.notes:
+    _require_possible(barred, placed, method_list, budgets, residuals, replace(judged, fires=fires))
+    methods, lines_told, left_out = _settled(method_list, judged, barred, residuals)
+    notes = [*judged.notes, *left_out]
+    for sentence in notes:
         session.warn(sentence)
-    _require_possible(barred, placed, method_list, budgets, residuals)
     roads = planes.followed(untouched)
     ground = scene.ground(judged, barred, planes.barriers)
     trial = Trial(ground, fires, placed, fires.seed) if judged.clock else None
     known: dict[str, Any] = {"elevation": elevation, "roads": roads, "trial": trial, "seed": fires.seed}
-    plans = {
-        label: Designs(barred, method, stakes=placed, params=params, **known) for label, method, params in method_list
+    walls = Walls(barred, placed)
+    plans: dict[str, Designs | LineDesigns] = {
+        label: Designs(barred, method, stakes=placed, params=params, **known)
+        if width == "cells"
+        else LineDesigns(barred, stakes=placed, width=width, params=params, trial=trial, walls=walls)
+        for label, method, params, width in methods
     }
     shares = sorted({budget.share(barred) for budget in budgets})
     value = placed.value if at_stake.valued else None
@@ -249,12 +260,14 @@ def command(
             params=params,
             elevation=elevation,
             roads=roads,
+            lines=width != "cells",
         )
-        for label, method, params in method_list
+        for label, method, params, width in methods
     )
-    passes = len(method_list) * len(shares) * len(residuals)
+    passes = len(methods) * len(shares) * len(residuals)
     burning = passes * fires.n_runs * fire_seconds(ground, fires, passes=passes, value=value)
-    session.foresee(Estimate({"rankings": ranking, "fires": burning}))
+    searches = any(isinstance(each, LineDesigns) and each.searches for each in plans.values())
+    session.foresee(Estimate({"rankings": ranking, "fires": burning}, without="local search" if searches else ""))
     result = compare_plans(
         barred,
         plans,
@@ -267,6 +280,7 @@ def command(
         progress=part(session.progress, 0.02, 0.97),
     )
     rows = comparison_table(result)
+    assumptions = [*judged.assumptions, *lines_told]
     priced = bool(result.attrs["priced"])
     front = front_table(result, n_fires=expected_fires)
     headline = stops_told(front, priced=priced, n_fires=expected_fires)
@@ -279,30 +293,68 @@ def command(
         {
             "headline": headline,
             "alignment": [*laid.alignment, *read.alignment],
-            "warnings": [*laid.warnings, *read.warnings, *judged.notes],
-            "assumptions": list(judged.assumptions),
+            "warnings": [*laid.warnings, *read.warnings, *notes],
+            "assumptions": assumptions,
         },
     )
     files = write_all(OUTPUTS, compared, output.output, how, progress=part(session.progress, 0.97, 1.0))
-    shown = rows.pivot_table(index="method", columns=["residual", "d_f"], values="R", sort=False)
+    shown = rows.pivot_table(index="method", columns=["residual", "d_f"], values="R", sort=False).sort_index(axis=1)
     session.finish(
-        {"files": files, "headline": headline, "assumptions": judged.assumptions},
-        f"{' '.join(judged.assumptions)}\n{chr(10).join(headline)}\nmean burnt share R by residual and d_f\n"
-        f"{shown.to_string(float_format='%.4f')}\nwritten to {output.output}",
+        {"files": files, "headline": headline, "assumptions": assumptions},
+        f"{' '.join(assumptions)}\n{chr(10).join(headline)}\nmean burnt share R by residual and d_f\n"
+        f"{shown.to_string(float_format='%.4f', na_rep='-')}\nwritten to {output.output}",
     )
 
 
+def _settled(
+    methods: list[parsing.Method], judged: Judging, network: SpreadNetwork, residuals: list[float]
+) -> tuple[list[parsing.Method], list[str], list[str]]:
+    """The methods, without lines of no width where `plan` makes none; what lines are, or why there are none.
+
+    Raises
+    ------
+    ParameterError
+        If no method is left.
+    """
+    from firebreak_gis.planning.designs import lines
+
+    least = replace(judged, fires=replace(judged.fires, residual=min(residuals)))
+    why = lines.hindered(least, network)
+    usual = [method for method in methods if method.line_width is None]
+    if not usual:
+        return methods, [], []
+    if not why:
+        only = ", planned only for breaks without a leak" if max(residuals) > 0 else ""
+        return methods, [f"Lines are {lines.width_of(network):.3g} m wide{only}."], []
+    note = f"no lines are compared, since {why}"
+    left = [method for method in methods if method.line_width is not None]
+    if not left:
+        raise ParameterError(f"{note}; give other methods, or lines of a width such as lines:width=20m")
+    return left, [], [note]
+
+
 def _require_possible(
-    network: SpreadNetwork, placed: Stakes, methods: list[parsing.Method], budgets: list[Budget], residuals: list[float]
+    network: SpreadNetwork,
+    placed: Stakes,
+    methods: list[parsing.Method],
+    budgets: list[Budget],
+    residuals: list[float],
+    judged: Judging,
 ) -> None:
     """Refuse before the first ranking what a later one would be refused for."""
     from firebreak_gis.network import checked_residual
+    from firebreak_gis.planning.designs import lines
     from firebreak_gis.planning.feasibility import feasibility
+    from firebreak_gis.planning.request import DesignRequest, PlanRequest
 
     problems: list[FirebreakError] = []
-    for label, method, params in methods:
+    for label, method, params, width in methods:
         try:
-            build_params(load("ranking", method), params)
+            if width == "cells":
+                build_params(load("ranking", method), params)
+            else:
+                asked = DesignRequest(method, params, line_width=width)
+                lines.require(PlanRequest(asked, fires=judged.fires, timeless=not judged.clock))
         except ParameterError as error:
             problems.append(ParameterError(f"{label}: {error}"))
     for residual in residuals:
@@ -310,7 +362,9 @@ def _require_possible(
             checked_residual(residual)
         except ParameterError as error:
             problems.append(error)
-    for budget in budgets:
+    widths = dict.fromkeys(method.line_width for method in methods)
+    for budget, each in itertools.product(budgets, widths):
         told = {str(problem) for problem in problems}
-        problems += [p for p in feasibility(network, placed, budget=budget).problems if str(p) not in told]
+        found = feasibility(network, placed, budget=budget, line_width=each).problems
+        problems += [problem for problem in found if str(problem) not in told]
     raise_together(problems)

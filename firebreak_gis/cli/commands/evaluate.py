@@ -196,7 +196,7 @@ def command(
     methods = list(method_list)
     if baseline not in {method.label for method in methods}:
         methods.append(parsing.Method(baseline, baseline, {}))
-    for _, method, params in methods:
+    for _, method, params, *_ in methods:
         build_params(load("ranking", method), params)
     inputs = input_files(
         [*files_of(network), dem, *fires.sources, *spread.sources, *weather.sources, *at_stake.sources]
@@ -226,7 +226,7 @@ def command(
     # A curve needs each plan once, so only the last is kept.
     priorities = {
         label: Designs(untouched, method, stakes=placed, params=params, keep=1, **known)
-        for label, method, params in methods
+        for label, method, params, *_ in methods
     }
     passes = len(priorities) * (len(shares) if judged.reburnt else 1)
     ranking = sum(
@@ -234,7 +234,7 @@ def command(
         * ranking_seconds(
             untouched, method, stakes=placed, budget=Budget(max(shares)), params=params, elevation=elevation
         )
-        for label, method, params in methods
+        for label, method, params, *_ in methods
     )
     burning = passes * fires.n_runs * fire_seconds(ground, fires, passes=passes)
     session.foresee(Estimate({"rankings": ranking, "fires": burning}))

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from firebreak_gis.breaks import Budget
 from firebreak_gis.construction.lines import line_polygons, line_segments
 from firebreak_gis.construction.segments import Segments
@@ -19,6 +17,7 @@ from firebreak_gis.planning.line_design import PARAMS, LineDesign, design_lines,
 
 if TYPE_CHECKING:
     import geopandas as gpd
+    import numpy as np
 
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.planning.judging import Judging
@@ -52,10 +51,26 @@ def usual(request: PlanRequest, judged: Judging, network: SpreadNetwork) -> Widt
     if design.line_width is not None:
         return design.line_width
     others = set(design.method_params) - PARAMS
-    if others or _refused(design, request.timeless) or not judged.clock or judged.fires.leaks:
+    if others or _refused(design, request.timeless) or hindered(judged, network):
         return "cells"
-    if not network.grid.in_metres or network.boundary != "open" or network.n_burnable > LARGEST:
-        return "cells"
+    return width_of(network)
+
+
+def hindered(judged: Judging, network: SpreadNetwork) -> str:
+    """Why lines cannot be planned or judged where nobody asks for them, in words; empty where they can."""
+    if not judged.clock:
+        return "the fires have no clock"
+    if judged.fires.leaks:
+        return "treated cells keep some of their spread"
+    if not network.grid.in_metres or network.boundary != "open":
+        return "lines need an open map in metres"
+    if network.n_burnable > LARGEST:
+        return f"the map has more than {LARGEST:,} cells with fuel"
+    return ""
+
+
+def width_of(network: SpreadNetwork) -> float:
+    """The usual width [m]."""
     return min(USUAL, network.grid.cell_size)
 
 
@@ -144,7 +159,7 @@ class Lines(Design):
     @property
     def walls(self) -> gpd.GeoDataFrame:
         """The walls that the budget pays, in order."""
-        return self.found.walls.iloc[: self.found.bought(self._amount)]
+        return self.found.built(self._amount)
 
     def part(self, stands: np.ndarray) -> LineBreaks | None:
         """The walls, of which the last may have some of its lines only."""
@@ -179,15 +194,8 @@ class Lines(Design):
 
     @property
     def figures(self) -> dict[str, Any]:
-        """Length times width and what it costs, kilometres and walls, beside the cells that they pass."""
-        walls = self.walls
-        return {
-            "cells_cut": int(np.count_nonzero(self.breaks.to_numpy() > 0)),
-            "ha_cut": round(float(walls["area_ha"].sum()), 4),
-            "cost": float(walls["cost"].sum()),
-            "line_km": round(float(walls["length_m"].sum()) / 1000.0, 4),
-            "walls": len(walls),
-        }
+        """See `LineDesign.figures`."""
+        return self.found.figures(self._amount)
 
     @property
     def told(self) -> str:

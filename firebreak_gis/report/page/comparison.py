@@ -33,7 +33,7 @@ def comparison_page(table: pd.DataFrame, account: Mapping[str, Any]) -> Page:
         leak = float(perfect["residual"].iloc[0]) if "residual" in perfect else 0.0
         kind = f"treated cells keep {100 * leak:.3g} % of their spread" if leak else "treated cells let no fire pass"
         note = f"Mean burnt share of the fuel in the simulated fires; {kind}"
-        curve = Curve("What each ranking saves", note, "share of the fuel cut", lines)
+        curve = Curve("What each plan saves", note, "share of the fuel cut", lines)
     columns = {name: _compared(name) for name in table.columns}
     rows = tuple(
         Row({columns[name]: plain(value) for name, value in row.items()}, _decimals(table.rename(columns=columns)))
@@ -53,10 +53,10 @@ def comparison_page(table: pd.DataFrame, account: Mapping[str, Any]) -> Page:
 
 #: Columns of `comparison.csv` as the page names them; the ends of intervals follow.
 _COMPARED = {
-    "method": "Ranking",
-    "d_f": "Share cut",
+    "method": "Method",
+    "d_f": "Budget, share of the fuel",
     "residual": "Residual",
-    "cells_cut": "Cells cut",
+    "cells_cut": "Cells cut, or passed by lines",
     "ha_cut": "Cut [ha]",
     "R": "Burnt share",
     "burnt_ha": "Burnt [ha]",

@@ -1608,12 +1608,12 @@
         <translation>Alle Rangfolgen treffen auf dieselben Feuer, und jeder Plan ist für sein Budget gemacht.</translation>
     </message>
     <message>
-        <source>Rankings</source>
-        <translation>Rangfolgen</translation>
+        <source>Methods</source>
+        <translation>Methoden</translation>
     </message>
     <message>
-        <source>Rankings to hold against each other; all are described below.</source>
-        <translation>Rangfolgen, die gegeneinander gehalten werden; alle sind unten beschrieben.</translation>
+        <source>Methods to hold against each other; all rankings are described below.</source>
+        <translation>Methoden, die gegeneinander gehalten werden; alle Rangfolgen sind unten beschrieben.</translation>
     </message>
     <message>
         <source>Ranking to test against</source>
@@ -1680,12 +1680,16 @@
         <translation>Vergleichen</translation>
     </message>
     <message>
-        <source>Compare rankings: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
-        <translation>Vergleicht Rangfolgen: erwartete Brandfläche, verlorener Wert, schlimmste Feuer und gerettete Hektar je geschnittenem Hektar, mit Intervallen.</translation>
+        <source>Compare plans: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
+        <translation>Vergleicht Pläne: erwartete Brandfläche, verlorener Wert, schlimmste Feuer und gerettete Hektar je geschnittenem Hektar, mit Intervallen.</translation>
     </message>
     <message>
         <source>The fires are fresh: no plan was designed with them, and all burn in the same ones.</source>
         <translation>Die Feuer sind frisch: kein Plan wurde mit ihnen entworfen, und alle brennen in denselben.</translation>
+    </message>
+    <message>
+        <source>Lines: walls as wide as a cell and at most 30 m, of which plans are made by default</source>
+        <translation>Linien: Wände so breit wie eine Zelle und höchstens 30 m, aus denen Pläne bestehen, wo nichts gesagt ist</translation>
     </message>
     <message>
         <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
@@ -1712,20 +1716,20 @@
         <translation>Der Vergleich auf einer Seite; öffnet sich in jedem Browser</translation>
     </message>
     <message>
-        <source>Every ranking at every budget and leak, with intervals</source>
-        <translation>Jede Rangfolge bei jedem Budget und jeder Durchlässigkeit, mit Intervallen</translation>
+        <source>Every plan at every budget and leak, with intervals</source>
+        <translation>Jeder Plan bei jedem Budget und jeder Durchlässigkeit, mit Intervallen</translation>
     </message>
     <message>
-        <source>Curves of the rankings</source>
-        <translation>Kurven der Rangfolgen</translation>
+        <source>Curves of the plans</source>
+        <translation>Kurven der Pläne</translation>
     </message>
     <message>
-        <source>Curves of the rankings, to scale</source>
-        <translation>Kurven der Rangfolgen, skalierbar</translation>
+        <source>Curves of the plans, to scale</source>
+        <translation>Kurven der Pläne, skalierbar</translation>
     </message>
     <message>
-        <source>What each step of each ranking costs and saves</source>
-        <translation>Was jeder Schritt jeder Rangfolge kostet und erspart</translation>
+        <source>What each step of each plan costs and saves</source>
+        <translation>Was jeder Schritt jedes Plans kostet und erspart</translation>
     </message>
     <message>
         <source>Saved against paid, and where the next hectare stops paying</source>
@@ -2014,10 +2018,6 @@
     <message>
         <source>Parameters</source>
         <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>Methods</source>
-        <translation>Methoden</translation>
     </message>
     <message>
         <source>Outputs</source>

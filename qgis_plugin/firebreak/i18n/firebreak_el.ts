@@ -1608,12 +1608,12 @@
         <translation>Όλες οι μέθοδοι αντιμετωπίζουν τις ίδιες πυρκαγιές, και κάθε σχέδιο γίνεται για τον προϋπολογισμό του.</translation>
     </message>
     <message>
-        <source>Rankings</source>
-        <translation>Μέθοδοι κατάταξης</translation>
+        <source>Methods</source>
+        <translation>Μέθοδοι</translation>
     </message>
     <message>
-        <source>Rankings to hold against each other; all are described below.</source>
-        <translation>Μέθοδοι κατάταξης που συγκρίνονται μεταξύ τους· όλες περιγράφονται παρακάτω.</translation>
+        <source>Methods to hold against each other; all rankings are described below.</source>
+        <translation>Μέθοδοι που συγκρίνονται μεταξύ τους· όλες οι μέθοδοι κατάταξης περιγράφονται παρακάτω.</translation>
     </message>
     <message>
         <source>Ranking to test against</source>
@@ -1680,12 +1680,16 @@
         <translation>Σύγκριση</translation>
     </message>
     <message>
-        <source>Compare rankings: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
-        <translation>Συγκρίνει μεθόδους κατάταξης: αναμενόμενη καμένη έκταση, χαμένη αξία, χειρότερες πυρκαγιές και εκτάρια που σώζονται ανά εκτάριο κοπής, με διαστήματα.</translation>
+        <source>Compare plans: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
+        <translation>Συγκρίνει σχέδια: αναμενόμενη καμένη έκταση, χαμένη αξία, χειρότερες πυρκαγιές και εκτάρια που σώζονται ανά εκτάριο κοπής, με διαστήματα.</translation>
     </message>
     <message>
         <source>The fires are fresh: no plan was designed with them, and all burn in the same ones.</source>
         <translation>Οι πυρκαγιές είναι νέες: κανένα σχέδιο δεν έγινε με αυτές, και όλα καίγονται στις ίδιες.</translation>
+    </message>
+    <message>
+        <source>Lines: walls as wide as a cell and at most 30 m, of which plans are made by default</source>
+        <translation>Γραμμές: τοίχοι πλάτους ενός κελιού και το πολύ 30 m, από τους οποίους γίνονται τα σχέδια όταν δεν ορίζεται τίποτα</translation>
     </message>
     <message>
         <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
@@ -1712,20 +1716,20 @@
         <translation>Η σύγκριση σε μία σελίδα· ανοίγει σε κάθε φυλλομετρητή</translation>
     </message>
     <message>
-        <source>Every ranking at every budget and leak, with intervals</source>
-        <translation>Κάθε μέθοδος σε κάθε προϋπολογισμό και διαρροή, με διαστήματα</translation>
+        <source>Every plan at every budget and leak, with intervals</source>
+        <translation>Κάθε σχέδιο σε κάθε προϋπολογισμό και διαρροή, με διαστήματα</translation>
     </message>
     <message>
-        <source>Curves of the rankings</source>
-        <translation>Καμπύλες των μεθόδων</translation>
+        <source>Curves of the plans</source>
+        <translation>Καμπύλες των σχεδίων</translation>
     </message>
     <message>
-        <source>Curves of the rankings, to scale</source>
-        <translation>Καμπύλες των μεθόδων, διανυσματικές</translation>
+        <source>Curves of the plans, to scale</source>
+        <translation>Καμπύλες των σχεδίων, διανυσματικές</translation>
     </message>
     <message>
-        <source>What each step of each ranking costs and saves</source>
-        <translation>Τι κοστίζει και τι σώζει κάθε βήμα κάθε μεθόδου</translation>
+        <source>What each step of each plan costs and saves</source>
+        <translation>Τι κοστίζει και τι σώζει κάθε βήμα κάθε σχεδίου</translation>
     </message>
     <message>
         <source>Saved against paid, and where the next hectare stops paying</source>
@@ -2014,10 +2018,6 @@
     <message>
         <source>Parameters</source>
         <translation>Παράμετροι</translation>
-    </message>
-    <message>
-        <source>Methods</source>
-        <translation>Μέθοδοι</translation>
     </message>
     <message>
         <source>Outputs</source>

@@ -1608,12 +1608,12 @@
         <translation>Todos los métodos se enfrentan a los mismos incendios, y cada plan se hace para su presupuesto.</translation>
     </message>
     <message>
-        <source>Rankings</source>
-        <translation>Métodos de ordenación</translation>
+        <source>Methods</source>
+        <translation>Métodos</translation>
     </message>
     <message>
-        <source>Rankings to hold against each other; all are described below.</source>
-        <translation>Métodos de ordenación que se comparan entre sí; todos se describen abajo.</translation>
+        <source>Methods to hold against each other; all rankings are described below.</source>
+        <translation>Métodos que se comparan entre sí; todos los de ordenación se describen abajo.</translation>
     </message>
     <message>
         <source>Ranking to test against</source>
@@ -1680,12 +1680,16 @@
         <translation>Comparar</translation>
     </message>
     <message>
-        <source>Compare rankings: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
-        <translation>Compara métodos de ordenación: superficie quemada esperada, valor perdido, peores incendios y hectáreas salvadas por hectárea cortada, con intervalos.</translation>
+        <source>Compare plans: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
+        <translation>Compara planes: superficie quemada esperada, valor perdido, peores incendios y hectáreas salvadas por hectárea cortada, con intervalos.</translation>
     </message>
     <message>
         <source>The fires are fresh: no plan was designed with them, and all burn in the same ones.</source>
         <translation>Los incendios son nuevos: ningún plan se diseñó con ellos, y todos se prueban con los mismos.</translation>
+    </message>
+    <message>
+        <source>Lines: walls as wide as a cell and at most 30 m, of which plans are made by default</source>
+        <translation>Líneas: muros de la anchura de una celda y como mucho 30 m, de los que se hacen los planes por defecto</translation>
     </message>
     <message>
         <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
@@ -1712,20 +1716,20 @@
         <translation>La comparación en una página; se abre en cualquier navegador</translation>
     </message>
     <message>
-        <source>Every ranking at every budget and leak, with intervals</source>
-        <translation>Cada método con cada presupuesto y cada fuga, con intervalos</translation>
+        <source>Every plan at every budget and leak, with intervals</source>
+        <translation>Cada plan con cada presupuesto y cada fuga, con intervalos</translation>
     </message>
     <message>
-        <source>Curves of the rankings</source>
-        <translation>Curvas de los métodos</translation>
+        <source>Curves of the plans</source>
+        <translation>Curvas de los planes</translation>
     </message>
     <message>
-        <source>Curves of the rankings, to scale</source>
-        <translation>Curvas de los métodos, escalables</translation>
+        <source>Curves of the plans, to scale</source>
+        <translation>Curvas de los planes, escalables</translation>
     </message>
     <message>
-        <source>What each step of each ranking costs and saves</source>
-        <translation>Lo que cuesta y ahorra cada paso de cada método</translation>
+        <source>What each step of each plan costs and saves</source>
+        <translation>Lo que cuesta y ahorra cada paso de cada plan</translation>
     </message>
     <message>
         <source>Saved against paid, and where the next hectare stops paying</source>
@@ -2014,10 +2018,6 @@
     <message>
         <source>Parameters</source>
         <translation>Parámetros</translation>
-    </message>
-    <message>
-        <source>Methods</source>
-        <translation>Métodos</translation>
     </message>
     <message>
         <source>Outputs</source>

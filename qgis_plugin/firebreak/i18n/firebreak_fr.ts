@@ -1608,12 +1608,12 @@
         <translation>Toutes les méthodes affrontent les mêmes feux, et chaque plan est fait pour son budget.</translation>
     </message>
     <message>
-        <source>Rankings</source>
-        <translation>Méthodes de classement</translation>
+        <source>Methods</source>
+        <translation>Méthodes</translation>
     </message>
     <message>
-        <source>Rankings to hold against each other; all are described below.</source>
-        <translation>Méthodes de classement à tenir l'une contre l'autre ; toutes sont décrites plus bas.</translation>
+        <source>Methods to hold against each other; all rankings are described below.</source>
+        <translation>Méthodes à tenir l'une contre l'autre ; toutes celles de classement sont décrites plus bas.</translation>
     </message>
     <message>
         <source>Ranking to test against</source>
@@ -1680,12 +1680,16 @@
         <translation>Comparer</translation>
     </message>
     <message>
-        <source>Compare rankings: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
-        <translation>Compare des méthodes de classement : surface brûlée attendue, valeur perdue, pires feux et hectares sauvés par hectare coupé, avec intervalles.</translation>
+        <source>Compare plans: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
+        <translation>Compare des plans : surface brûlée attendue, valeur perdue, pires feux et hectares sauvés par hectare coupé, avec intervalles.</translation>
     </message>
     <message>
         <source>The fires are fresh: no plan was designed with them, and all burn in the same ones.</source>
         <translation>Les feux sont neufs : aucun plan n'a été conçu avec eux, et tous brûlent dans les mêmes.</translation>
+    </message>
+    <message>
+        <source>Lines: walls as wide as a cell and at most 30 m, of which plans are made by default</source>
+        <translation>Lignes : murs larges d'une cellule et de 30 m au plus, dont les plans sont faits par défaut</translation>
     </message>
     <message>
         <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
@@ -1712,20 +1716,20 @@
         <translation>La comparaison en une page ; s'ouvre dans tout navigateur</translation>
     </message>
     <message>
-        <source>Every ranking at every budget and leak, with intervals</source>
-        <translation>Chaque méthode à chaque budget et chaque fuite, avec intervalles</translation>
+        <source>Every plan at every budget and leak, with intervals</source>
+        <translation>Chaque plan à chaque budget et chaque fuite, avec intervalles</translation>
     </message>
     <message>
-        <source>Curves of the rankings</source>
-        <translation>Courbes des méthodes</translation>
+        <source>Curves of the plans</source>
+        <translation>Courbes des plans</translation>
     </message>
     <message>
-        <source>Curves of the rankings, to scale</source>
-        <translation>Courbes des méthodes, vectorielles</translation>
+        <source>Curves of the plans, to scale</source>
+        <translation>Courbes des plans, vectorielles</translation>
     </message>
     <message>
-        <source>What each step of each ranking costs and saves</source>
-        <translation>Ce que chaque pas de chaque méthode coûte et épargne</translation>
+        <source>What each step of each plan costs and saves</source>
+        <translation>Ce que chaque pas de chaque plan coûte et épargne</translation>
     </message>
     <message>
         <source>Saved against paid, and where the next hectare stops paying</source>
@@ -2014,10 +2018,6 @@
     <message>
         <source>Parameters</source>
         <translation>Paramètres</translation>
-    </message>
-    <message>
-        <source>Methods</source>
-        <translation>Méthodes</translation>
     </message>
     <message>
         <source>Outputs</source>

@@ -1608,12 +1608,12 @@
         <translation>Tutti i metodi affrontano gli stessi incendi, e ogni piano è fatto per il suo budget.</translation>
     </message>
     <message>
-        <source>Rankings</source>
-        <translation>Metodi di ordinamento</translation>
+        <source>Methods</source>
+        <translation>Metodi</translation>
     </message>
     <message>
-        <source>Rankings to hold against each other; all are described below.</source>
-        <translation>Metodi di ordinamento da confrontare tra loro; tutti sono descritti sotto.</translation>
+        <source>Methods to hold against each other; all rankings are described below.</source>
+        <translation>Metodi da confrontare tra loro; tutti quelli di ordinamento sono descritti sotto.</translation>
     </message>
     <message>
         <source>Ranking to test against</source>
@@ -1680,12 +1680,16 @@
         <translation>Confrontare</translation>
     </message>
     <message>
-        <source>Compare rankings: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
-        <translation>Confronta metodi di ordinamento: superficie bruciata attesa, valore perduto, incendi peggiori ed ettari salvati per ettaro tagliato, con intervalli.</translation>
+        <source>Compare plans: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
+        <translation>Confronta piani: superficie bruciata attesa, valore perduto, incendi peggiori ed ettari salvati per ettaro tagliato, con intervalli.</translation>
     </message>
     <message>
         <source>The fires are fresh: no plan was designed with them, and all burn in the same ones.</source>
         <translation>Gli incendi sono nuovi: nessun piano è stato progettato con essi, e tutti bruciano negli stessi.</translation>
+    </message>
+    <message>
+        <source>Lines: walls as wide as a cell and at most 30 m, of which plans are made by default</source>
+        <translation>Linee: muri larghi quanto una cella e al massimo 30 m, di cui sono fatti i piani se non si dice altro</translation>
     </message>
     <message>
         <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
@@ -1712,20 +1716,20 @@
         <translation>Il confronto in una pagina; si apre in ogni browser</translation>
     </message>
     <message>
-        <source>Every ranking at every budget and leak, with intervals</source>
-        <translation>Ogni metodo a ogni budget e a ogni perdita, con intervalli</translation>
+        <source>Every plan at every budget and leak, with intervals</source>
+        <translation>Ogni piano a ogni budget e a ogni perdita, con intervalli</translation>
     </message>
     <message>
-        <source>Curves of the rankings</source>
-        <translation>Curve dei metodi</translation>
+        <source>Curves of the plans</source>
+        <translation>Curve dei piani</translation>
     </message>
     <message>
-        <source>Curves of the rankings, to scale</source>
-        <translation>Curve dei metodi, scalabili</translation>
+        <source>Curves of the plans, to scale</source>
+        <translation>Curve dei piani, scalabili</translation>
     </message>
     <message>
-        <source>What each step of each ranking costs and saves</source>
-        <translation>Quanto costa e risparmia ogni passo di ogni metodo</translation>
+        <source>What each step of each plan costs and saves</source>
+        <translation>Quanto costa e risparmia ogni passo di ogni piano</translation>
     </message>
     <message>
         <source>Saved against paid, and where the next hectare stops paying</source>
@@ -2014,10 +2018,6 @@
     <message>
         <source>Parameters</source>
         <translation>Parametri</translation>
-    </message>
-    <message>
-        <source>Methods</source>
-        <translation>Metodi</translation>
     </message>
     <message>
         <source>Outputs</source>

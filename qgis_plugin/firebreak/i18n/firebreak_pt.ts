@@ -1608,12 +1608,12 @@
         <translation>Todos os métodos enfrentam os mesmos incêndios, e cada plano é feito para o seu orçamento.</translation>
     </message>
     <message>
-        <source>Rankings</source>
-        <translation>Métodos de ordenação</translation>
+        <source>Methods</source>
+        <translation>Métodos</translation>
     </message>
     <message>
-        <source>Rankings to hold against each other; all are described below.</source>
-        <translation>Métodos de ordenação a comparar entre si; todos são descritos abaixo.</translation>
+        <source>Methods to hold against each other; all rankings are described below.</source>
+        <translation>Métodos a comparar entre si; todos os de ordenação são descritos abaixo.</translation>
     </message>
     <message>
         <source>Ranking to test against</source>
@@ -1680,12 +1680,16 @@
         <translation>Comparar</translation>
     </message>
     <message>
-        <source>Compare rankings: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
-        <translation>Compara métodos de ordenação: área ardida esperada, valor perdido, piores incêndios e hectares salvos por hectare cortado, com intervalos.</translation>
+        <source>Compare plans: expected burnt area, value lost, worst fires and hectares saved per hectare cut, with intervals.</source>
+        <translation>Compara planos: área ardida esperada, valor perdido, piores incêndios e hectares salvos por hectare cortado, com intervalos.</translation>
     </message>
     <message>
         <source>The fires are fresh: no plan was designed with them, and all burn in the same ones.</source>
         <translation>Os incêndios são novos: nenhum plano foi desenhado com eles, e todos ardem nos mesmos.</translation>
+    </message>
+    <message>
+        <source>Lines: walls as wide as a cell and at most 30 m, of which plans are made by default</source>
+        <translation>Linhas: muros da largura de uma célula e no máximo 30 m, de que são feitos os planos por predefinição</translation>
     </message>
     <message>
         <source>How much to cut, separated by commas: shares of the fuel such as 5% or 0.05, or areas such as 20ha.</source>
@@ -1712,20 +1716,20 @@
         <translation>A comparação numa página; abre em qualquer navegador</translation>
     </message>
     <message>
-        <source>Every ranking at every budget and leak, with intervals</source>
-        <translation>Cada método com cada orçamento e cada fuga, com intervalos</translation>
+        <source>Every plan at every budget and leak, with intervals</source>
+        <translation>Cada plano com cada orçamento e cada fuga, com intervalos</translation>
     </message>
     <message>
-        <source>Curves of the rankings</source>
-        <translation>Curvas dos métodos</translation>
+        <source>Curves of the plans</source>
+        <translation>Curvas dos planos</translation>
     </message>
     <message>
-        <source>Curves of the rankings, to scale</source>
-        <translation>Curvas dos métodos, escaláveis</translation>
+        <source>Curves of the plans, to scale</source>
+        <translation>Curvas dos planos, escaláveis</translation>
     </message>
     <message>
-        <source>What each step of each ranking costs and saves</source>
-        <translation>O que custa e poupa cada passo de cada método</translation>
+        <source>What each step of each plan costs and saves</source>
+        <translation>O que custa e poupa cada passo de cada plano</translation>
     </message>
     <message>
         <source>Saved against paid, and where the next hectare stops paying</source>
@@ -2014,10 +2018,6 @@
     <message>
         <source>Parameters</source>
         <translation>Parâmetros</translation>
-    </message>
-    <message>
-        <source>Methods</source>
-        <translation>Métodos</translation>
     </message>
     <message>
         <source>Outputs</source>
