@@ -193,6 +193,19 @@ def test_a_page_of_a_comparison_sorts_numbers_as_numbers():
     assert keys == ["b", "0.1", "0.0", "0.5", "a", "0.1", "0.0", ""]
 
 
+def test_methods_of_a_comparison_as_it_comes_have_colours_of_their_own():
+    names = ["lines", "dissection", "compartments", "stripes", "bonacich", "flammability", "random"]
+    text = render(Page(title="t", curve=Curve("c", "n", "x", [(name, [0.0, 0.5], [0.5, 0.1]) for name in names])))
+    drawn = re.findall(r'class="line line-(\d)"', text)
+    assert len(set(drawn)) == len(names)
+    for scheme in text.split("@media (prefers-color-scheme: dark)")[:2]:
+        told = {number: re.search(rf"--c{number}: (#\w+);", scheme).group(1) for number in drawn}
+        assert len(set(told.values())) == len(names)
+    for number in drawn:
+        assert f".line-{number} {{ stroke: var(--c{number})" in text
+        assert f".name-{number} {{ fill: var(--c{number})" in text
+
+
 @pytest.mark.parametrize(
     ("top", "expected"), [(0.087, 0.1), (0.95, 1.0), (0.031, 0.04), (0.2, 0.2), (1.0, 1.0), (0.0, 1.0)]
 )

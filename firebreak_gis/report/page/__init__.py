@@ -18,6 +18,8 @@ from typing import Any
 from firebreak_gis.report.page.content import Curve, Page, Row
 
 _RIGHT = ' class="number"'
+#: Colours of lines in the style, from `--c0` on.
+_COLOURS = 8
 #: A browser that reads this loads nothing but what the page holds.
 _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 
@@ -148,13 +150,13 @@ def _curve(curve: Curve) -> str:
         )
     labels: list[float] = []
     for number, (name, xs, ys) in enumerate(curve.lines):
-        points = " ".join(place(x, y) for x, y in zip(xs, ys, strict=True))
-        parts.append(f'<polyline class="line line-{number % 6}" points="{points}"/>')
+        points, colour = " ".join(place(x, y) for x, y in zip(xs, ys, strict=True)), number % _COLOURS
+        parts.append(f'<polyline class="line line-{colour}" points="{points}"/>')
         at, wanted = (float(v) for v in place(xs[-1], ys[-1]).split(","))
         while any(abs(wanted - other) < 15 for other in labels):  # names must not lie on each other
             wanted -= 3
         labels.append(wanted)
-        parts.append(f'<text class="name name-{number % 6}" x="{at + 8:.1f}" y="{wanted + 4:.1f}">{_text(name)}</text>')
+        parts.append(f'<text class="name name-{colour}" x="{at + 8:.1f}" y="{wanted + 4:.1f}">{_text(name)}</text>')
     if curve.marked is not None:
         x, low = place(curve.marked, 0).split(",")
         high = place(curve.marked, ceiling).split(",")[1]
