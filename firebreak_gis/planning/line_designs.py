@@ -66,8 +66,7 @@ class LineDesigns:
 
     def distinct(self, budgets: Iterable[float], residuals: Iterable[float] = (0.0,)) -> int:
         """How often walls are sought for these budgets and residuals: once, if there is any plan."""
-        planned = [each for each in residuals if not (self._usual and each)]
-        return int(bool(planned) and any(True for _ in budgets))
+        return int(any(True for _ in budgets) and any(not (self._usual and each) for each in residuals))
 
     @property
     def searches(self) -> bool:
