@@ -6,7 +6,7 @@ import heapq
 import os
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from itertools import count
+from itertools import count, islice
 from typing import TypeVar
 
 from firebreak_gis.errors import ParameterError, ResourceError
@@ -16,6 +16,8 @@ Piece = TypeVar("Piece")
 Result = TypeVar("Result")
 
 _LISTEN_EVERY = 0.2  # seconds
+#: Pieces handed out for each thread, so that none has to wait for its next one.
+_AHEAD = 4
 
 
 def thread_count(threads: int | None) -> int:
@@ -64,10 +66,14 @@ def run_pieces(
         If no thread can be started.
     """
     done = 0
-    pool = ThreadPoolExecutor(thread_count(threads))
+    n_threads = thread_count(threads)
+    pool = ThreadPoolExecutor(n_threads)
+    rest = iter(pieces)
+    waiting: set[Future[None]] = set()
     try:
-        waiting = {_submitted(pool, work, piece) for piece in pieces}
-        while waiting:
+        while done < len(pieces):
+            # Each look takes time for every piece that waits, so only the next ones do.
+            waiting |= {_submitted(pool, work, piece) for piece in islice(rest, _AHEAD * n_threads - len(waiting))}
             progress(done / len(pieces), message)
             finished, waiting = wait(waiting, timeout=_LISTEN_EVERY, return_when=FIRST_COMPLETED)
             for future in finished:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import concurrent.futures
 import os
 import threading
 import time
 
 import pytest
 
+import firebreak_gis.threads
 from firebreak_gis.errors import Cancelled, ParameterError
 from firebreak_gis.progress import silent
 from firebreak_gis.threads import run_growing, run_pieces, thread_count
@@ -29,6 +31,19 @@ def test_every_piece_is_done_once(threads, n_pieces):
     assert shares[-1] == 1.0
     assert all(0 <= f <= 1 for f in shares)
     assert {m for _, m in heard} == {"working"}
+
+
+def test_few_pieces_wait_however_many_there_are(monkeypatch):
+    """Every look at those that wait takes time for each of them."""
+    waited = []
+
+    def wait(waiting, **how):
+        waited.append(len(waiting))
+        return concurrent.futures.wait(waiting, **how)
+
+    monkeypatch.setattr(firebreak_gis.threads, "wait", wait)
+    run_pieces(lambda _: None, range(3000), threads=2, progress=silent, message="")
+    assert 2 <= max(waited) <= 20
 
 
 def test_pieces_run_side_by_side():

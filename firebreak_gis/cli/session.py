@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 _BAR_WIDTH = 24
 _REPORT_EVERY = 0.1  # seconds
+_REPORT_ANYWAY = 2.0  # though nothing but the time left is new
 _COMPILING = "compiling, once on this machine"
 #: Work that takes less is not announced [s].
 _LONG = 15.0
@@ -106,7 +107,8 @@ class Session:
             raise Cancelled("stopped as asked; no half-written file was left behind")
         now, percent = time.monotonic(), int(100 * fraction)
         last_time, last_message, last_percent = self._last
-        if percent == last_percent and (message == last_message or now - last_time < _REPORT_EVERY):
+        soon = _REPORT_ANYWAY if message == last_message else _REPORT_EVERY
+        if percent == last_percent and now - last_time < soon:
             return
         self._last = (now, message, percent)
         if self.progress_mode == "json":

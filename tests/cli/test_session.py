@@ -51,6 +51,18 @@ def test_the_time_left_is_that_of_the_pace(clock, monkeypatch):
     assert "0:40 left  ranking" in terminal.getvalue()
 
 
+def test_the_time_left_goes_down_while_the_share_does_not_rise(clock, capsys, monkeypatch):
+    monkeypatch.setattr(module.sys, "stdin", io.StringIO(""))
+    monkeypatch.setattr(module.threading.Thread, "start", lambda _: None)
+    session = Session(progress_mode="json")
+    for seconds in (10.0, 0.5, 1.0, 1.0, 2.0):
+        clock.time += seconds
+        session.progress(0.501, "burning")
+    told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert [each["progress"] for each in told] == [0.501] * 3
+    assert len({each["seconds_left"] for each in told}) == 3
+
+
 def test_nobody_knows_at_the_beginning(clock, monkeypatch):
     terminal = shown(monkeypatch)
     session = Session()
