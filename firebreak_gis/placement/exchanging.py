@@ -108,6 +108,7 @@ def exchange_lines(
     *,
     money: float,
     rests: Sequence[Sequence[int]],
+    hard: np.ndarray | None = None,
     short: bool = False,
     progress: Progress,
 ) -> tuple[np.ndarray, np.ndarray] | None:
@@ -125,6 +126,8 @@ def exchange_lines(
         As in `exchange`.
     rests
         Of each line those on which it ends, see `exchanged`.
+    hard
+        (n_lines,) how many times its cost each line counts; None: once.
     short
         Whether fewer fires must do.
 
@@ -145,7 +148,7 @@ def exchange_lines(
     def worth(built: np.ndarray, first_run: int, step: Progress) -> np.ndarray:
         return trial.worth_of_lines(laid, built, n_runs=n_runs, first_run=first_run, progress=step)[0]
 
-    after, mean = in_rounds(worth, costs, built, n_runs=n_runs, money=money, rests=rests, progress=progress)
+    after, mean = in_rounds(worth, costs, built, n_runs=n_runs, money=money, rests=rests, hard=hard, progress=progress)
     others = max(2 * n_runs, _OTHERS)
     lost, left = (
         trial.losses(laid.some(some), n_runs=others, first_run=_ROUNDS * n_runs).sum() for some in (built, after)
@@ -161,6 +164,7 @@ def in_rounds(
     n_runs: int,
     money: float,
     rests: Sequence[Sequence[int]] | None = None,
+    hard: np.ndarray | None = None,
     progress: Progress,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Exchange parts round by round, each with `n_runs` fires of its own.
@@ -169,7 +173,7 @@ def in_rounds(
     ----------
     worth
         ``(built, first_run, progress)``: what each part is worth then in the fires from `first_run` on, (n_parts,).
-    costs, built, money, rests
+    costs, built, money, rests, hard
         As in `exchanged`.
 
     Returns
@@ -181,7 +185,7 @@ def in_rounds(
     for k in range(_ROUNDS):
         found = worth(built, k * n_runs, part(progress, k / _ROUNDS, (k + 1) / _ROUNDS))
         mean += (found - mean) / min(k + 1, _REMEMBERED)
-        built = exchanged(mean, costs, built, money=money, most=_SHARE * money / (k + 1), rests=rests)
+        built = exchanged(mean, costs, built, money=money, most=_SHARE * money / (k + 1), rests=rests, hard=hard)
     return built, mean
 
 
@@ -193,6 +197,7 @@ def exchanged(
     money: float,
     most: float,
     rests: Sequence[Sequence[int]] | None = None,
+    hard: np.ndarray | None = None,
 ) -> np.ndarray:
     """Build the parts of most worth for their cost, with money that is left or in place of those of least.
 
@@ -206,6 +211,9 @@ def exchanged(
         What those that make way cost, but for the last of them.
     rests
         Of each part those without which it is not built, and which stay as long as it is; None for none.
+    hard
+        (n_parts,) how many times its cost each part counts where worth is weighed against it; None: once. What is paid
+        stays the cost.
 
     Returns
     -------
@@ -222,7 +230,7 @@ def exchanged(
     borne = np.zeros(built.size, np.int64)
     for k in np.flatnonzero(built).tolist():
         borne[list(below[k])] += 1
-    ratio = worth / np.maximum(costs, 1e-300)
+    ratio = worth / np.maximum(costs if hard is None else costs * hard, 1e-300)
     stays = ~built
     left, freed = money - float(costs[built].sum()), 0.0
     for each in sorted(np.flatnonzero(~built).tolist(), key=lambda k: (-ratio[k], k)):

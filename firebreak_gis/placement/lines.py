@@ -57,6 +57,8 @@ class LineCut:
         Of all of them, in cells.
     cost
         Cost of cutting cells along them, cells of length one: times width / cell size this is the cost of the wall.
+    price
+        The same with the difficulty of the ground, in a unit of its own.
     saved
         Expected loss that the wall saves once its parents stand, as a share of (ignition mass x value mass) of the
         whole landscape.
@@ -67,6 +69,7 @@ class LineCut:
     lines: tuple[np.ndarray, ...]
     length: float
     cost: float
+    price: float
     saved: float
     parent: int
 
@@ -127,7 +130,7 @@ class _Field:
             saved = self.loss(cells) - sum(self.loss(one) for one in split)
             length = sum(float(np.hypot(*np.diff(line, axis=0).T).sum()) for line in lines) / PARTS
             cost = prices_of(points, first, box.filled(-1.0, self.cost[cells]))
-            return _Drawn(lines, split, length, cost), saved
+            return _Drawn(lines, split, length, cost, prices_of(points, first, price)), saved
 
         long = np.diff(starts) > _SHORT
         for most in (2, 1):
@@ -153,6 +156,7 @@ class _Drawn:
     pieces: list[np.ndarray]
     length: float
     cost: float
+    price: float
 
 
 @dataclass(frozen=True)
@@ -249,7 +253,7 @@ def dissect_by_lines(
                 continue
             saved = field.loss(cells) - sum(field.loss(piece) for piece in wall.pieces)
             children += [(piece, len(cuts)) for piece in wall.pieces]
-            cuts.append(LineCut(wall.lines, wall.length, wall.cost, saved, parent))
+            cuts.append(LineCut(wall.lines, wall.length, wall.cost, wall.price, saved, parent))
         waiting = children
     progress(1.0, f"{len(cuts)} walls")
     return cuts

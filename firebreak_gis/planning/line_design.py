@@ -246,7 +246,12 @@ def _exchanged(design: LineDesign, trial: Trial, budget: Budget, refine: bool, p
     costs = walls["cost" if budget.unit == "cost" else "area_ha"].to_numpy()
     money = _money(budget, design.fuel_ha)
     rests = resting(walls.geometry.array, _TOUCHES * design.grid.cell_size)
-    found = exchange_lines(laid, trial, costs, built, money=money, rests=rests, short=not refine, progress=progress)
+    plane = trial.stakes.difficulty  # 0 where there is no fuel
+    hard, fuel = (_along(walls, each, design.grid) for each in (plane, plane > 0))
+    hard = np.divide(hard, fuel, out=np.ones(len(walls)), where=fuel > 0)
+    found = exchange_lines(
+        laid, trial, costs, built, money=money, rests=rests, hard=hard, short=not refine, progress=progress
+    )
     if found is None:
         return design
     after, worth = found
@@ -295,7 +300,7 @@ def _drawn(
     often = [all_hold(hold, round(cut.length * grid.cell_size / hold.length)) if fails else 1.0 for cut in cuts]
     order = sequence(
         [cut.saved * share for cut, share in zip(cuts, often, strict=True)],
-        [cut.cost for cut in cuts],
+        [cut.price for cut in cuts],
         [cut.parent for cut in cuts],
     )
     fuel_ha = network.n_burnable * grid.cell_area_ha
@@ -308,8 +313,7 @@ def _drawn(
     geometry = _joined([_on_map(cut, grid) for cut in kept], grid.cell_size)
     length = np.array([shape.length for shape in geometry])
     frame = gpd.GeoDataFrame(geometry=geometry, crs=grid.crs)
-    prints = footprints(frame, grid)
-    cost = np.bincount(prints.feature, prints.part * stakes.cost.ravel()[prints.cell], minlength=len(kept))
+    cost = _along(frame, stakes.cost, grid)
     price = width / grid.cell_size
     table = {
         "length_m": length,
@@ -324,6 +328,12 @@ def _drawn(
     told = f"lines {width:g} m wide, those first that save most" + (" and hold most often" if fails else "")
     walls = frame.assign(**table).iloc[final].reset_index(drop=True)
     return LineDesign(walls, grid, fuel_ha, float(width), told)
+
+
+def _along(walls: gpd.GeoDataFrame, plane: np.ndarray, grid: Grid) -> np.ndarray:
+    """Sum of a plane along every wall, by lengths in cells, (n,)."""
+    prints = footprints(walls, grid)
+    return np.bincount(prints.feature, prints.part * plane.ravel()[prints.cell], minlength=len(walls))
 
 
 def _money(budget: Budget, fuel_ha: float) -> float:

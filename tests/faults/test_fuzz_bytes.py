@@ -17,12 +17,12 @@ from tests.places import NORTH_WEST, UTM, three
 ROOT = Path(__file__).parents[2]
 #: Files that are broken so many times, by kind, and how many of them must be refused at least.
 TURNS = {
-    "tif": (900, 300),
-    "asc": (450, 100),
+    "tif": (450, 150),
+    "asc": (250, 50),
     "prj": (150, 20),
-    "gpkg": (450, 100),
-    "geojson": (450, 100),
-    "fgb": (450, 100),
+    "gpkg": (250, 50),
+    "geojson": (250, 50),
+    "fgb": (250, 50),
 }
 
 

@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes cannot be forked here")
 @pytest.mark.parametrize(
-    ("kind", "kills"), [("text", 40), ("raster", 50), ("gpkg", 40), ("landscape", 40), ("plan", 30)]
+    ("kind", "kills"), [("text", 40), ("raster", 50), ("gpkg", 40), ("landscape", 40), ("plan", 15)]
 )
 def test_a_kill_leaves_old_or_new_and_the_next_run_tidies_up(kind, kills, tmp_path):
     done = subprocess.run(

@@ -65,9 +65,9 @@ def test_the_worth_of_a_part_is_what_burning_all_with_and_without_it_tells(seed,
     np.testing.assert_allclose(worth, expected, rtol=1e-9, atol=1e-9)
 
 
-def exchanged_by_hand(worth, costs, built, money, most, rests):
+def exchanged_by_hand(worth, costs, built, money, most, rests, hard):
     """Twin with sets and lists."""
-    ratio, after = worth / costs, {k for k in range(built.size) if built[k]}
+    ratio, after = worth / (costs * hard), {k for k in range(built.size) if built[k]}
     old, kept, freed = set(after), set(), 0.0
     left = money - sum(costs[k] for k in after)
     for each in sorted(set(range(built.size)) - after, key=lambda k: (-ratio[k], k)):
@@ -97,8 +97,9 @@ def test_what_rests_on_a_part_is_built_with_it_alone(seed):
     costs, worth = random.integers(1, 6, n).astype(float), random.integers(-1, 9, n).astype(float)
     built = np.arange(n) < random.integers(0, n + 1)
     money, most = float(costs[built].sum() + random.integers(0, 4)), float(random.integers(0, 12))
-    after = exchanged(worth, costs, built, money=money, most=most, rests=rests)
-    assert after.tolist() == exchanged_by_hand(worth, costs, built, money, most, rests)
+    hard = random.integers(1, 4, n).astype(float)
+    after = exchanged(worth, costs, built, money=money, most=most, rests=rests, hard=hard)
+    assert after.tolist() == exchanged_by_hand(worth, costs, built, money, most, rests, hard)
     assert costs[after].sum() <= money * (1 + 1e-9)
     assert all(after[rests[k]].all() for k in np.flatnonzero(after))
     assert costs[built & ~after].sum() < most + costs.max()

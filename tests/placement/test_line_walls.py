@@ -292,11 +292,13 @@ def test_walls_keep_to_cheap_ground():
     cost[:, 33:36] = 1.0
     cut = dissect_by_lines(network, Stakes(network, cost=cost), smallest=2000, progress=silent)[0]
     assert cut.cost == pytest.approx(40.0, rel=0.05)
+    easy = cut.price / cut.cost
     assert all(line[:, 0].min() >= 33 * PARTS and line[:, 0].max() <= 36 * PARTS for line in cut.lines)
     difficult = np.ones(fuel.shape)
     difficult[:, 33:36] = 9.0
     cut = dissect_by_lines(network, Stakes(network, cost=cost, difficulty=difficult), smallest=2000, progress=silent)[0]
     assert cut.cost > 100.0
+    assert cut.price / cut.cost == pytest.approx(easy, rel=0.02)  # all of it on ground that is not difficult
 
 
 def test_landings_lie_off_the_patch_beside_its_corners():

@@ -425,6 +425,47 @@ def test_walls_that_fail_are_exchanged_for_others_that_save_more(make_landscape)
     assert fresh.losses(rest, n_runs=1500).mean() > fresh.losses(alone, n_runs=1500).mean()
 
 
+def test_walls_on_hard_ground_must_save_more_to_be_built(make_landscape):
+    """Half of the map is three times as hard: less is built there, for as much money, by either choice of walls."""
+    land = make_landscape((90, 95), seed=7, relief=4.0)
+    network = spread_network(land, wind_speed=3, clock=True)
+    fires = FireRequest(duration=as_duration("4h"), hold=as_hold("0.47:100"))
+    hard = np.where(np.arange(network.shape[1]) < 47, 3.0, 1.0) * np.ones(network.shape)
+    edge = network.grid.transform.c + 47 * network.grid.cell_size
+    west = shapely.box(edge - 1e6, -1e9, edge, 1e9)
+    heard = []
+
+    def told(*given, **also):
+        heard.append(also["hard"])
+
+    shares = {}
+    for difficulty in (np.ones(network.shape), hard):
+        stakes = Stakes(network, difficulty=difficulty)
+        trial = Trial(Ground(network), fires, stakes, 5)
+        given = {"stakes": stakes, "budget": Budget(0.05), "width": 6.0, "params": {"smallest": 16}}
+        for tried in (None, trial):
+            found = design_lines(network, **given, trial=tried)
+            built = found.walls.iloc[: found.bought(Budget(0.05))].geometry
+            spent = built.length.sum() * 6.0 / 10_000 / found.fuel_ha
+            assert 0.045 < spent <= 0.05
+            shares.setdefault(tried is None, []).append(built.intersection(west).length.sum() / built.length.sum())
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr("firebreak_gis.placement.exchanging.exchange_lines", told)
+            walls = design_lines(network, **given, trial=trial).walls
+    assert shares[True][1] < 0.8 * shares[True][0]
+    assert shares[False][1] < 0.8 * shares[False][0]
+    plain, found = heard
+    np.testing.assert_allclose(plain, 1.0)
+    y, x = (at[network.burnable] for at in np.meshgrid(network.grid.y, network.grid.x, indexing="ij"))
+    half = network.grid.cell_size / 2
+    fuel = shapely.union_all(shapely.box(x - half, y - half, x + half, y + half))
+    on_fuel = shapely.intersection(walls.geometry.array[:20], fuel)
+    share = shapely.length(shapely.intersection(on_fuel, west)) / shapely.length(on_fuel)
+    np.testing.assert_allclose(
+        found[:20], 1.0 + 2.0 * share, rtol=0.03
+    )  # some run between ground with and without fuel
+
+
 def drawn_as_found(network, stakes, trial):
     """Walls of the better of both orders, before any exchange."""
     with pytest.MonkeyPatch.context() as patch:
