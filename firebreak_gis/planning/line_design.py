@@ -18,6 +18,7 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.footprints import footprints
 from firebreak_gis.landscape.lines import LineBreaks, laid_on
+from firebreak_gis.planning.wall_shapes import joined, on_map, resting
 from firebreak_gis.schema import annotate
 from firebreak_gis.simulation.holding import Hold
 
@@ -43,10 +44,6 @@ WIDTHS = (5.0, 7.0, 10.0, 15.0, 20.0, 30.0, 40.0, 60.0, 80.0, 120.0)
 _BEYOND = 2.0
 #: Compartments of fewer cells are left whole, where nothing else is asked; the next where the budget pays all walls.
 _SMALLEST = (64, 16, 4)
-#: Cells from the end of a line within which it is led on to a line that stands before it.
-_JOINED = 1.5
-#: Cells from a line within which others end on it.
-_TOUCHES = 0.3
 
 
 @dataclass(frozen=True, eq=False)
@@ -245,7 +242,7 @@ def _exchanged(design: LineDesign, trial: Trial, budget: Budget, refine: bool, p
     laid = laid_on(walls[["width_m", "geometry"]], design.grid)
     costs = walls["cost" if budget.unit == "cost" else "area_ha"].to_numpy()
     money = _money(budget, design.fuel_ha)
-    rests = resting(walls.geometry.array, _TOUCHES * design.grid.cell_size)
+    rests = resting(walls.geometry.array, design.grid.cell_size)
     plane = trial.stakes.difficulty  # 0 where there is no fuel
     hard, fuel = (_along(walls, each, design.grid) for each in (plane, plane > 0))
     hard = np.divide(hard, fuel, out=np.ones(len(walls)), where=fuel > 0)
@@ -259,25 +256,6 @@ def _exchanged(design: LineDesign, trial: Trial, budget: Budget, refine: bool, p
     share = worth / max(float(trial.stakes.value.sum()), 1e-300)
     told = f"{design.told}, and exchanged by what each saves in fires"
     return replace(design, walls=walls.assign(saved=share).iloc[order].reset_index(drop=True), told=told)
-
-
-def resting(walls: Sequence[Any], reach: float) -> list[list[int]]:
-    """Of each wall, a multiline, those before it within reach of an end of its lines.
-
-    Examples
-    --------
-    >>> import shapely
-    >>> resting([shapely.MultiLineString([each]) for each in ([(0, 0), (9, 0)], [(4, 0.1), (4, 9)])], 0.5)
-    [[], [0]]
-    """
-    import shapely
-
-    lines, owner = shapely.get_parts(np.asarray(walls, object), return_index=True)
-    ends = np.concatenate([shapely.get_point(lines, 0), shapely.get_point(lines, -1)])
-    end, line = shapely.STRtree(lines).query(ends, predicate="dwithin", distance=reach)
-    own, other = np.tile(owner, 2)[end], owner[line]
-    pairs = np.unique(np.column_stack([own, other])[other < own], axis=0)
-    return [pairs[pairs[:, 0] == k, 1].tolist() for k in range(len(walls))]
 
 
 def _drawn(
@@ -310,7 +288,7 @@ def _drawn(
     # Beyond the budget for the curve about it.
     order = order[: int(np.searchsorted(np.cumsum(each[order]), _BEYOND * money, side="right")) + 1]
     kept = [cuts[i] for i in order]
-    geometry = _joined([_on_map(cut, grid) for cut in kept], grid.cell_size)
+    geometry = joined([on_map(cut, grid) for cut in kept], grid.cell_size)
     length = np.array([shape.length for shape in geometry])
     frame = gpd.GeoDataFrame(geometry=geometry, crs=grid.crs)
     cost = _along(frame, stakes.cost, grid)
@@ -391,66 +369,3 @@ def paid_first(order: Sequence[int], cost: np.ndarray, parent: Sequence[int], mo
         else:
             waiting.append(wall)
     return out + waiting
-
-
-def _on_map(cut: LineCut, grid: Grid) -> list[np.ndarray]:
-    """Its lines in the coordinates of the map, one after the other from an end of the wall."""
-    from firebreak_gis.kernels.crossings import PARTS
-
-    t = grid.transform
-    lines = [np.column_stack([t.c + t.a * line[:, 0] / PARTS, t.f + t.e * line[:, 1] / PARTS]) for line in cut.lines]
-    return chained(lines)
-
-
-def chained(lines: list[np.ndarray]) -> list[np.ndarray]:
-    """The lines in turn, each from the end that is nearest to where the one before ends.
-
-    The first begins at the end that is farthest from the middle of all ends.
-    """
-    ends = np.array([[line[0], line[-1]] for line in lines])
-    away = np.hypot(*(ends - ends.mean(axis=(0, 1))).T).T
-    waiting = np.ones(len(lines), bool)
-    out: list[np.ndarray] = []
-    while waiting.any():
-        k, side = divmod(int(np.argmax(np.where(waiting[:, np.newaxis], away, -np.inf))), 2)
-        out.append(lines[k][:: -1 if side else 1])
-        waiting[k] = False
-        away = -np.hypot(*(ends - out[-1][-1]).T).T
-    return out
-
-
-def _joined(walls: list[list[np.ndarray]], cell_size: float) -> list[Any]:
-    """The walls as multilines, each end near a line of a wall before led to it, or cut where it crosses that."""
-    import shapely
-
-    every = [shapely.LineString(line) for wall in walls for line in wall]
-    owner = np.repeat(np.arange(len(walls)), [len(wall) for wall in walls])
-    tree = shapely.STRtree(every)
-    reach = _JOINED * cell_size
-    out = []
-    for k, wall in enumerate(walls):
-        lines = []
-        for line in wall:
-            if np.hypot(*np.diff(line, axis=0).T).sum() > cell_size:  # not the stubs across corners
-                for _ in range(2):
-                    line = line[::-1]
-                    near = tree.query(shapely.Point(line[0]), predicate="dwithin", distance=reach)
-                    before = [every[i] for i in near[owner[near] < k]]
-                    if before:
-                        line = _led(line, shapely.MultiLineString(before), reach)
-            lines.append(line)
-        out.append(shapely.MultiLineString(lines))
-    return out
-
-
-def _led(line: np.ndarray, target: Any, reach: float) -> np.ndarray:
-    """A line whose beginning is led to the nearest place of a target, or cut where it crosses it, within reach."""
-    import shapely
-
-    half = np.vstack([line[0], line[:2].mean(axis=0)])  # what is beyond belongs to the other end
-    met = shapely.intersection(shapely.LineString(half), target)
-    crosses = not met.is_empty
-    place = shapely.get_coordinates(shapely.shortest_line(met if crosses else target, shapely.Point(line[0])))[0]
-    if np.hypot(*(place - line[0])) > reach:
-        return line
-    return np.vstack([place, line[1:] if crosses else line])

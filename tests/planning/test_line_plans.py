@@ -26,8 +26,9 @@ from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning import line_design
 from firebreak_gis.planning.designs.lines import USUAL
 from firebreak_gis.planning.judging import ASSUMED_DURATION, ASSUMED_HOLD
-from firebreak_gis.planning.line_design import WIDTHS, chained, design_lines, paid_first, resting
+from firebreak_gis.planning.line_design import WIDTHS, design_lines, paid_first
 from firebreak_gis.planning.outputs import write_plan
+from firebreak_gis.planning.wall_shapes import chained, resting
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import as_hold
@@ -410,7 +411,7 @@ def test_walls_that_fail_are_exchanged_for_others_that_save_more(make_landscape)
         assert "exchanged by what each saves" in design.told
         count = design.bought(Budget(0.05))
         assert design.walls["area_ha"].iloc[:count].sum() <= 0.05 * design.fuel_ha * (1 + 1e-9)
-        rests = resting(design.walls.geometry.array, 0.3 * network.grid.cell_size)
+        rests = resting(design.walls.geometry.array, network.grid.cell_size)
         assert sum(map(len, rests[:count])) > 5
         walls[name] = design.breaks(Budget(0.05))
     fresh = replace(trial, seed=99)
@@ -495,5 +496,5 @@ def test_walls_rest_on_those_before_them_where_their_ends_are(result, network):
         ends = [shapely.Point(end) for line in wall.geoms for end in (line.coords[0], line.coords[-1])]
         near = [j for j in range(k) if any(walls.geometry.iloc[j].distance(end) <= 0.3 * size for end in ends)]
         expected.append(near)
-    assert resting(walls.geometry.array, 0.3 * size) == expected
+    assert resting(walls.geometry.array, size) == expected
     assert sum(map(len, expected)) > 10
