@@ -77,7 +77,7 @@ def test_files_that_a_page_links_to_exist(page):
 def test_options_that_pages_name_exist():
     """Options in running text, too: a renamed one must not live on in a page."""
     known = {flag for line in _flags(firebreak) for flag in line}
-    foreign = {"--extra", "--only", "--huge", "--no-skips", "--output", "--lengths", "--strengths"}
+    foreign = {"--extra", "--only", "--huge", "--no-skips", "--output", "--lengths", "--lines", "--strengths"}
     foreign |= {"--rhodes", "--seconds"}  # tests.benchmarks.yardstick
     foreign |= {"--port", "--nworkers", "--nthreads", "--scheduler-file", "--ntasks", "--cpus-per-task"}  # dask, Slurm
     for page in PAGES:
