@@ -166,7 +166,8 @@ def design_lines(
 
     Where breaks fail, walls of many stretches hold seldom. So they are tried out on fires in two orders of building:
     by what a wall saves, and by that times how often it holds. Then those that save least by themselves make way for
-    others that would save more, see `placement.exchanging`; `saved` is what the fires of that search tell.
+    others that would save more, see `placement.exchanging`; `saved` is what the fires of that search tell. All this is
+    weighed against cost times difficulty of the ground; what is paid is the cost alone.
 
     Parameters
     ----------
@@ -244,7 +245,7 @@ def _exchanged(design: LineDesign, trial: Trial, budget: Budget, refine: bool, p
     money = _money(budget, design.fuel_ha)
     rests = resting(walls.geometry.array, design.grid.cell_size)
     plane = trial.stakes.difficulty  # 0 where there is no fuel
-    hard, fuel = (_along(walls, each, design.grid) for each in (plane, plane > 0))
+    hard, fuel = _along(walls, design.grid, plane, plane > 0)
     hard = np.divide(hard, fuel, out=np.ones(len(walls)), where=fuel > 0)
     found = exchange_lines(
         laid, trial, costs, built, money=money, rests=rests, hard=hard, short=not refine, progress=progress
@@ -291,7 +292,7 @@ def _drawn(
     geometry = joined([on_map(cut, grid) for cut in kept], grid.cell_size)
     length = np.array([shape.length for shape in geometry])
     frame = gpd.GeoDataFrame(geometry=geometry, crs=grid.crs)
-    cost = _along(frame, stakes.cost, grid)
+    (cost,) = _along(frame, grid, stakes.cost)
     price = width / grid.cell_size
     table = {
         "length_m": length,
@@ -308,10 +309,12 @@ def _drawn(
     return LineDesign(walls, grid, fuel_ha, float(width), told)
 
 
-def _along(walls: gpd.GeoDataFrame, plane: np.ndarray, grid: Grid) -> np.ndarray:
-    """Sum of a plane along every wall, by lengths in cells, (n,)."""
+def _along(walls: gpd.GeoDataFrame, grid: Grid, *planes: np.ndarray) -> list[np.ndarray]:
+    """Sums of planes along every wall, by lengths in cells, (n,) each."""
     prints = footprints(walls, grid)
-    return np.bincount(prints.feature, prints.part * plane.ravel()[prints.cell], minlength=len(walls))
+    return [
+        np.bincount(prints.feature, prints.part * plane.ravel()[prints.cell], minlength=len(walls)) for plane in planes
+    ]
 
 
 def _money(budget: Budget, fuel_ha: float) -> float:
