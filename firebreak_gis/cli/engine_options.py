@@ -1,4 +1,4 @@
-"""Options of who burns the fires, the same for every command that burns; the fires never depend on them."""
+"""Options of who does the heavy work, the same for every command that has such; results never depend on them."""
 
 from __future__ import annotations
 
@@ -48,13 +48,13 @@ def engine(command: F) -> F:
             "--workers",
             type=kinds.COUNT,
             metavar="N",
-            help="Burn the fires in so many processes of this machine, each with the data in its own memory (extra "
+            help="Do the heavy work in so many processes of this machine, each with the data in its own memory (extra "
             "scale) [default: the threads of one process].",
         ),
         click.option(
             "--scheduler",
             metavar="ADDRESS",
-            help="Burn them on the cluster of this dask scheduler: tcp://HOST:PORT, or its scheduler file (.json).",
+            help="Do it on the cluster of this dask scheduler: tcp://HOST:PORT, or its scheduler file (.json).",
         ),
         click.option(
             "--resume",

@@ -39,9 +39,10 @@ def read_layers(
     """Read a landscape that was surveyed and say what was done; by parts, on the disk of a folder, if one is given."""
     from firebreak_gis.landscape import read_surveyed
     from firebreak_gis.landscape.strips import read_by_parts
+    from firebreak_gis.simulation.engine import spread
 
     if folder is not None and found.by_parts:
-        landscape = read_by_parts(request, found, folder, progress=progress)
+        landscape = read_by_parts(request, found, folder, spread=spread, progress=progress)
     else:
         landscape = read_surveyed(request, found, progress=progress)
     for sentence in landscape.attrs["alignment"]:

@@ -111,9 +111,11 @@ def foresee(
 
     found = survey(layers)
     rows, cols = found.grid.shape
+    workers = click.get_current_context().params.get("workers")
     needed = memory.bytes_for("align", 0) + (found.memory_by_parts if method is None else found.memory)
+    if method is None and found.by_parts:
+        needed *= 1 + (workers or 0)  # each reads a part
     if method is not None:
-        workers = click.get_current_context().params.get("workers")
         about: dict[str, Any] = {"method": method, "clock": clock, "workers": workers, "blocks": away}
         needed = max(needed, memory.bytes_for("plan", rows * cols, **about))
     what = f"a landscape of {rows} x {cols} cells" if method is None else f"a plan of {rows} x {cols} cells by {method}"

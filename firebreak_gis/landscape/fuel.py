@@ -109,16 +109,21 @@ class Lacks:
 
     def add(self, fuel: Fuel, elevation: np.ndarray) -> np.ndarray:
         """Look at one more part; where it can burn."""
-        for name, codes in fuel.unknown.items():
+        grows = (fuel.vegetation > 0) & (fuel.density > 0)
+        burnable = grows & np.isfinite(elevation)
+        blind, seeing = (int(np.count_nonzero(each)) for each in (grows & ~burnable, burnable))
+        self.join(Lacks({name: dict(codes) for name, codes in fuel.unknown.items()}, fuel.lacking, blind, seeing))
+        return np.asarray(burnable)
+
+    def join(self, other: Lacks) -> None:
+        """Add what lacks in other parts."""
+        for name, codes in other.unknown.items():
             known = self.unknown.setdefault(name, {})
             for code, number in codes.items():
                 known[code] = known.get(code, 0) + number
-        self.lacking += fuel.lacking
-        grows = (fuel.vegetation > 0) & (fuel.density > 0)
-        burnable = grows & np.isfinite(elevation)
-        self.blind += int(np.count_nonzero(grows & ~burnable))
-        self.burnable += int(np.count_nonzero(burnable))
-        return np.asarray(burnable)
+        self.lacking += other.lacking
+        self.blind += other.blind
+        self.burnable += other.burnable
 
     def require(self, legends: Mapping[str, Legend], grid: Grid, account: Account, unknown: str) -> None:
         """Refuse, or warn of, what was found.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -175,38 +176,57 @@ def part_of_codes(header: Header, grid: Grid, name: str, table: Legend, account:
     return np.where(codes < 0, np.nan, codes)
 
 
+@dataclass
 class Seen:
-    """What is asked of the codes of a whole layer, gathered part by part."""
+    """What is asked of the codes of a whole layer, gathered part by part.
 
-    def __init__(self) -> None:
-        self._some, self._quantities, self._fractions, self._greatest, self._least = False, False, False, 0.0, 0.0
+    Parameters
+    ----------
+    some, quantities, fractions
+        Whether any code is known, any is an amount of the quantity, any such is no whole number.
+    greatest, least
+        Of those amounts, and 0.
+    """
+
+    some: bool = False
+    quantities: bool = False
+    fractions: bool = False
+    greatest: float = 0.0
+    least: float = 0.0
 
     def add(self, codes: np.ndarray, table: Legend) -> None:
         """Look at a part, as `codes_on` returns it."""
         known = np.isfinite(codes)
-        self._some |= bool(known.any())
+        self.some |= bool(known.any())
         if not table.continuous:
             return
         present = codes[known & ~table.flagged(codes)]
         if present.size:
-            self._quantities = True
-            self._fractions |= bool((present != np.round(present)).any())
-            self._greatest = max(self._greatest, float(present.max()))
-            self._least = min(self._least, float(present.min()))
+            self.quantities = True
+            self.fractions |= bool((present != np.round(present)).any())
+            self.greatest = max(self.greatest, float(present.max()))
+            self.least = min(self.least, float(present.min()))
+
+    def join(self, other: Seen) -> None:
+        """Add what was seen of other parts."""
+        self.some |= other.some
+        self.quantities |= other.quantities
+        self.fractions |= other.fractions
+        self.greatest, self.least = max(self.greatest, other.greatest), min(self.least, other.least)
 
     def require(self, header: Header, name: str, table: Legend) -> None:
         """A cover from 0 to 1 read as percent would be sparse everywhere, without a word; so would an empty band."""
-        require_some(self._some, header, name)
-        if not self._quantities:
+        require_some(self.some, header, name)
+        if not self.quantities:
             return
         ranges = [entry for entry in table.entries if entry.low != entry.high]
         low, top = ranges[0].low, max(entry.high for entry in ranges)
-        if low == 0 and 50 <= top <= 255 and 0 < self._greatest <= 1 and self._fractions:
+        if low == 0 and 50 <= top <= 255 and 0 < self.greatest <= 1 and self.fractions:
             raise LegendError(
                 f"{header.path} looks like a fraction (0 to 1), the legend {table.name} goes up to {top:g}; "
                 "scale it or give a legend for fractions"
             )
-        if name == "density" and low == 0 and self._least == self._greatest == 0:
+        if name == "density" and low == 0 and self.least == self.greatest == 0:
             raise LegendError(
                 f"{header.path} (band {header.band}, {name}) is 0 on all cells: is it an empty band? Give another "
                 "raster, or in its place a word: sparse if there is no cover indeed, normal, or continuity; with a "

@@ -1,34 +1,27 @@
 """A landscape laid on its grid part by part, so that it need not fit into memory.
 
 Layers are looked through first, for what only the whole tells: values that stand for "no data", voids, units. Then
-parts of the grid are read and looked up one after another, as the whole would be: all values are the same.
+parts of the grid are read and looked up, in turn or by workers, as the whole would be: all values are the same.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from firebreak_gis.files.scratch import on_disk
 from firebreak_gis.landscape.alignment import flags_told, placing, strips, with_nodata
-from firebreak_gis.landscape.continuity import CONTINUITY, WINDOW
-from firebreak_gis.landscape.fuel import Lacks, fuel_of
 from firebreak_gis.landscape.grid_part import GridPart
-from firebreak_gis.landscape.layers import (
-    Seen,
-    look_at_elevations,
-    part_of_codes,
-    part_of_elevation,
-    require_some,
-)
-from firebreak_gis.landscape.reading import assembled, planes_of
+from firebreak_gis.landscape.layers import look_at_elevations, require_some
+from firebreak_gis.landscape.reading import assembled
+from firebreak_gis.landscape.sources import FOUND, Found, OfLayer, Sources, lay_part
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.memory import BLOCK_CELLS, SOURCE_CELLS
-from firebreak_gis.progress import silent
+from firebreak_gis.progress import part, silent
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,21 +35,17 @@ if TYPE_CHECKING:
 
 #: Parts of fewer cells are not made smaller, however fine a layer is.
 _LEAST = 4096
-#: All rows and columns.
-WHOLE = (slice(None), slice(None))
 
 
 @dataclass
 class _Layer:
-    """A layer that has been looked through, and what was found so far of its parts on the grid."""
+    """A layer that has been looked through."""
 
     name: str
     header: Header
     table: Legend | None
     account: Account
     flags: np.ndarray = field(default_factory=lambda: np.zeros(0, np.float32))
-    known: bool = False
-    seen: Seen = field(default_factory=Seen)
 
     @classmethod
     def of(cls, name: str, found: Survey, strict: bool) -> _Layer:
@@ -80,33 +69,38 @@ class _Layer:
         if table is None:
             look_at_elevations(values, replace(header, declared=found.layers[name].declared), account)
         elif not how.copy:
-            for part in values():
-                layer.flags = np.union1d(layer.flags, part[table.flagged(part)])
+            for strip in values():
+                layer.flags = np.union1d(layer.flags, strip[table.flagged(strip)])
         return layer
 
-    def on(self, part: GridPart, inner: tuple[slice, slice] = WHOLE) -> np.ndarray:
-        """Values on a part of the grid, of which those in `inner` count."""
-        account = Account(strict=self.account.strict)
-        if self.table is None:
-            values = part_of_elevation(self.header, part, account)
-        else:
-            values = part_of_codes(self.header, part, self.name, self.table, account)
-            self.seen.add(values[inner], self.table)
-        self.known = self.known or bool(np.isfinite(values[inner]).any())
-        self.account.alignment += [said for said in account.alignment if said not in self.account.alignment]
-        self.account.warnings += [said for said in account.warnings if said not in self.account.warnings]
-        return values
-
-    def require(self, account: Account) -> None:
+    def require(self, found: OfLayer, account: Account) -> None:
         """Refuse what cannot be used, as far as only the whole tells, and say what was done."""
+        alignment = [*self.account.alignment, *(said for said in found.alignment if said not in self.account.alignment)]
         if self.flags.size:
-            self.account.alignment.append(flags_told(self.name, self.flags))
-        account.alignment += self.account.alignment
+            alignment.append(flags_told(self.name, self.flags))
+        account.alignment += alignment
         account.warnings += self.account.warnings
+        account.warnings += [said for said in found.warnings if said not in self.account.warnings]
         if self.table is None:
-            require_some(self.known, self.header, self.name)
+            require_some(found.known, self.header, self.name)
         else:
-            self.seen.require(self.header, self.name, self.table)
+            found.seen.require(self.header, self.name, self.table)
+
+
+def _in_turn(
+    work: Callable[..., Mapping[str, np.ndarray]],
+    pieces: Sequence[Any],
+    shared: Mapping[str, Any],
+    *,
+    take: Callable[[int, Mapping[str, np.ndarray]], None],
+    threads: int | None,
+    progress: Progress,
+    message: str,  # noqa: ARG001
+) -> None:
+    """Make pieces of work one after another, as `simulation.engine.spread` does where no engine is in use."""
+    for i, piece in enumerate(pieces):
+        step = part(progress, i / len(pieces), (i + 1) / len(pieces))
+        take(i, work(piece, threads=threads, progress=step, **shared))
 
 
 def read_by_parts(
@@ -115,6 +109,7 @@ def read_by_parts(
     folder: str | os.PathLike[str],
     *,
     cells: int = BLOCK_CELLS,
+    spread: Callable[..., None] = _in_turn,
     progress: Progress | None = None,
 ) -> xr.Dataset:
     """Read the layers of a survey into arrays on the disk; equal to `reading.read_surveyed`.
@@ -127,6 +122,8 @@ def read_by_parts(
         On whose disk the arrays lie, 7 B a cell, and 4 more for each variable that a legend gives.
     cells
         Cells of the grid in a part, about; fewer where a layer has finer ones.
+    spread
+        Makes the parts, as `simulation.engine.spread` does; by default one after another.
     progress
         Callback (share done, message).
 
@@ -140,17 +137,30 @@ def read_by_parts(
     for i, name in enumerate(found.layers):
         report(0.1 * i, f"look at {name}")
         layers[name] = _Layer.of(name, found, request.strict)
-    lacks = Lacks()
     planes: dict[str, np.ndarray] = {}
-    for row, col, rows, cols in windows(found, cells):
-        report(0.3 + 0.7 * row / grid.shape[0], "lay on the grid")
-        for name, values in _part(found, layers, (row, col, rows, cols), lacks).items():
+    parts = list(windows(found, cells))
+    told: dict[int, Found] = {}
+
+    def take(i: int, made: Mapping[str, np.ndarray]) -> None:
+        row, col, rows, cols = parts[i]
+        for name, values in made.items():
+            if name == FOUND:
+                told[i] = Found.unpacked(values)
+                continue
             if name not in planes:
                 planes[name] = on_disk(folder, grid.shape, values.dtype)
             planes[name][row : row + rows, col : col + cols] = values
-    for layer in layers.values():
-        layer.require(found.account)
-    lacks.require(found.legends, grid, found.account, request.unknown)
+
+    headers = {name: layer.header for name, layer in layers.items()}
+    source = Sources(grid, headers, found.legend, found.density_legend, found.density, request.strict)
+    step = part(report, 0.3, 1.0)
+    spread(lay_part, parts, {"source": source}, take=take, threads=None, progress=step, message="lay on the grid")
+    of_all = Found()
+    for i in range(len(parts)):
+        of_all.join(told[i])
+    for name, layer in layers.items():
+        layer.require(of_all.layers[name], found.account)
+    of_all.lacks.require(found.legends, grid, found.account, request.unknown)
     report(1.0, "landscape read")
     return assembled(found, grid, planes)
 
@@ -162,8 +172,8 @@ def windows(found: Survey, cells: int) -> Iterator[Window]:
     waiting = [(row, 0, min(step, rows - row), cols) for row in reversed(range(0, rows, step))]
     while waiting:
         row, col, height, width = waiting.pop()
-        part = GridPart(found.grid, (row, col, height, width))
-        most = max(how.window[2] * how.window[3] for how in (placing(each, part) for each in found.layers.values()))
+        place = GridPart(found.grid, (row, col, height, width))
+        most = max(how.window[2] * how.window[3] for how in (placing(each, place) for each in found.layers.values()))
         if most <= SOURCE_CELLS or height * width <= _LEAST:
             yield row, col, height, width
         elif height >= width:
@@ -172,23 +182,3 @@ def windows(found: Survey, cells: int) -> Iterator[Window]:
         else:
             half = width // 2
             waiting += [(row, col + half, height, width - half), (row, col, height, half)]
-
-
-def _part(found: Survey, layers: Mapping[str, _Layer], window: Window, lacks: Lacks) -> dict[str, np.ndarray]:
-    """Variables of one part of the grid."""
-    part = GridPart(found.grid, window)
-    elevation = layers["elevation"].on(part)
-    wide, inner = (window, WHOLE) if found.density != CONTINUITY else _wider(window, found.grid.shape)
-    codes = layers["vegetation"].on(GridPart(found.grid, wide), inner)
-    cover = layers["density"].on(part) if "density" in layers else found.density
-    return planes_of(elevation, fuel_of(codes, cover, found.legend, found.density_legend, inner=inner), lacks)
-
-
-def _wider(window: Window, shape: tuple[int, int]) -> tuple[Window, tuple[slice, slice]]:
-    """A window with all that the continuity of its cells depends on, and where it lies in that."""
-    row, col, rows, cols = window
-    half = WINDOW // 2
-    top, left = max(row - half, 0), max(col - half, 0)
-    bottom, right = min(row + rows + half, shape[0]), min(col + cols + half, shape[1])
-    inner = (slice(row - top, row - top + rows), slice(col - left, col - left + cols))
-    return (top, left, bottom - top, right - left), inner

@@ -1,9 +1,9 @@
 """Where the parts of the work are made: on the threads of this machine, or by the workers of a cluster.
 
-The simulations fall into parts, ranges of runs, whose results are whole numbers to be added up, or numbers a run. So it
-does not matter who makes a part, how often, or in what order; the parts themselves depend on the runs alone. Whoever
-burns hands its parts to `spread`, and whoever wants them made elsewhere, or kept, says so around it (`using`):
-nobody in between needs to know.
+Heavy work falls into parts: simulations into ranges of runs, whose results are whole numbers to be added up, or numbers
+a run; maps into regions and windows. It does not matter who makes a part, how often, or in what order: the parts are
+the same. Whoever has such work hands its parts to `spread`, and whoever wants them made elsewhere, or kept, says so
+around it (`using`): nobody in between needs to know.
 """
 
 from __future__ import annotations
@@ -64,33 +64,32 @@ class Engine:
         take: Callable[[int, Result], None],
         threads: int | None,
         progress: Progress,
+        message: str = "burning",
     ) -> None:
         """Make the pieces, see `spread`."""
-        left = dict(enumerate(pieces))
+        left = list(range(len(pieces)))
         keep: Callable[[int, Result], None] = take
         if self.kept is not None:
             self._calls += 1
             known = fingerprint((work.__module__, work.__qualname__, dict(shared)))
-            keys = {i: fingerprint((known, piece)) for i, piece in left.items()}
+            keys = [fingerprint((known, pieces[i])) for i in left]
             kept, call = self.kept, self._calls
-            for i in list(left):
+            for i in left.copy():
                 found = kept.get(f"{call:04}-{i:04}", keys[i])
                 if found is not None:
                     take(i, found)
-                    del left[i]
+                    left.remove(i)
 
             def keep(i: int, result: Result) -> None:
                 kept.put(f"{call:04}-{i:04}", keys[i], result)
                 take(i, result)
 
         if self.cluster is not None:
-            self.cluster.run(work, left, shared, keep, len(pieces), progress)
+            self.cluster.run(work, pieces, left, shared, keep, progress, message)
             return
-        done = len(pieces) - len(left)
-        for i, piece in left.items():
+        for done, i in enumerate(left, len(pieces) - len(left)):
             step = part(progress, done / len(pieces), (done + 1) / len(pieces))
-            keep(i, work(piece, threads=threads, progress=step, **shared))
-            done += 1
+            keep(i, work(pieces[i], threads=threads, progress=step, **shared))
 
 
 _engine: ContextVar[Engine | None] = ContextVar("_engine", default=None)
@@ -103,7 +102,7 @@ def in_use() -> Engine | None:
 
 @contextlib.contextmanager
 def using(engine: Engine | None) -> Iterator[None]:
-    """Let an engine make what burns inside the block; None: this process, whatever stands further out."""
+    """Let an engine make what is heavy inside the block; None: this process, whatever stands further out."""
     token = _engine.set(engine)
     try:
         yield
@@ -119,6 +118,7 @@ def spread(
     take: Callable[[int, Result], None],
     threads: int | None,
     progress: Progress | None,
+    message: str = "burning",
 ) -> None:
     """Make pieces of work on the engine in use.
 
@@ -128,7 +128,7 @@ def spread(
         Called as ``work(piece, threads=..., progress=..., **shared)``, it returns arrays by name; `threads` changes the
         speed only, and `progress` raises to stop it. A function at the top of a module.
     pieces
-        What tells the parts apart; small.
+        What tells the parts apart; small, or made when it is asked for: a few pieces are held at a time.
     shared
         What all of them need, by name: sent to each worker once, and not again while its content is the same.
     take
@@ -137,8 +137,14 @@ def spread(
         See `threads.thread_count`; of the parts that this process makes.
     progress
         Told the share done, at least five times a second. If it raises, the work is stopped.
+    message
+        Text for `progress` while workers make the parts.
+
+    Notes
+    -----
+    Where parts fail, the error is that of the first of them, whoever made them and whichever failed before.
     """
-    (in_use() or Engine()).run(work, pieces, shared, take, threads, progress or silent)
+    (in_use() or Engine()).run(work, pieces, shared, take, threads, progress or silent, message)
 
 
 def ranges(n: int, least: int) -> list[tuple[int, int]]:

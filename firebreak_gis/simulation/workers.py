@@ -13,8 +13,8 @@ import logging
 import os
 import signal
 import time
-from collections import OrderedDict
-from collections.abc import Callable, Iterator, Mapping
+from collections import OrderedDict, deque
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from typing import TYPE_CHECKING, Any
 
@@ -47,6 +47,8 @@ _TRIES = 3
 _KEPT = 12
 #: Arrays of fewer bytes are small.
 _SMALL = 1 << 14
+#: Large pieces are handed out as long as those that are out have fewer bytes, or threads are idle.
+_OUT = 1 << 28
 _PLAIN = (bool, int, float, str, tuple, type(None))
 #: What must be the same wherever parts are made, so that equal fires have equal bytes.
 _ALIKE = ("firebreak_gis", "numpy", "numba", "python")
@@ -63,7 +65,7 @@ def cluster(
     keep: str | os.PathLike[str] | None = None,
     say: Callable[[str], None] | None = None,
 ) -> Iterator[Engine]:
-    """Let workers make what is simulated inside the block.
+    """Let workers make what is heavy inside the block: fires, regions of large maps, parts of large landscapes.
 
     Parameters
     ----------
@@ -150,18 +152,20 @@ class Cluster:
     def run(
         self,
         work: Work,
-        pieces: Mapping[int, Any],
+        pieces: Sequence[Any],
+        numbers: Sequence[int],
         shared: Mapping[str, Any],
         take: Callable[[int, Result], None],
-        total: int,
         progress: Progress,
+        message: str,
     ) -> None:
-        """Make the pieces, of `total` of which the others are there already; see `engine.spread`."""
-        client, left, tries = self._client, dict(pieces), 0
+        """Make those pieces of these numbers, the others are there already; see `engine.spread`."""
+        client, left, tries = self._client, set(numbers), 0
+        failed: dict[int, BaseException] = {}
 
         def listen() -> None:
             there = bool(client.nthreads())
-            progress(1.0 - len(left) / total, "burning" if there else "waiting for workers")
+            progress(1.0 - len(left) / len(pieces), message if there else "waiting for workers")
 
         while left:
             while not client.nthreads():
@@ -170,25 +174,28 @@ class Cluster:
             few = {name: value for name, value in shared.items() if _small(value)}
             sent = {name: self._send(value) for name, value in shared.items() if name not in few}
             few = self._send(few)
-            futures = {
-                i: client.submit(_make, work, piece, self._versions, sent, few, pure=False) for i, piece in left.items()
-            }
-            waiting = {self._gathered(future): i for i, future in futures.items()}
+            rest, out = deque(sorted(left)), _Out(self._client)
             try:
-                while waiting:
+                while rest or out.waiting:
+                    while rest and (out.bytes < _OUT or len(out.waiting) < self.threads):
+                        i = rest.popleft()
+                        piece, size = self._handed(pieces[i])
+                        out.add(i, client.submit(_make, work, piece, self._versions, sent, few, pure=False), size)
                     listen()
-                    for ready in wait(waiting, timeout=_LISTEN_EVERY, return_when=FIRST_COMPLETED).done:
-                        i = waiting.pop(ready)
-                        error = ready.exception()
+                    for i, made in out.ready():
+                        error = made.exception()
                         if error is None:
-                            take(i, ready.result())
-                            del left[i]
+                            take(i, made.result())
+                            left.discard(i)
                         elif not _lost(error):
-                            raise _told(error)
-                        futures.pop(i).release()
+                            failed[i] = _told(error)
+                    if failed:  # one before it may fail as well, and is told then
+                        first = min(failed)
+                        out.drop(first)
+                        rest.clear()
+                        left = {i for i in left if i < first}
             finally:
-                if futures:
-                    self._soon(client.cancel(list(futures.values()), force=True, asynchronous=True))
+                out.drop()
             tries += 1
             if left and tries > _TRIES:
                 raise ResourceError(
@@ -197,21 +204,25 @@ class Cluster:
                 )
             if left:
                 self._sent.clear()
-        progress(1.0, "burning")
+        if failed:
+            raise failed[min(failed)]
+        progress(1.0, message)
 
-    def _gathered(self, future: Any) -> Future[Result]:
-        """The result of a part, once it is made and has come here; dask waits for it, and this thread need not."""
-        return self._soon(self._client.gather(future, asynchronous=True))
+    def _handed(self, piece: Any) -> tuple[Any, int]:
+        """A piece and 0; what stands for it on a worker if it is large, and its bytes."""
+        from dask.sizeof import sizeof
 
-    def _soon(self, work: Any) -> Future[Any]:
-        """Let the thread of dask do what it calls asynchronous."""
-        return asyncio.run_coroutine_threadsafe(work, self._client.loop.asyncio_loop)
+        size = sizeof(piece)
+        if size < _SMALL:
+            return piece, 0
+        # In a list: of a mapping dask sends every item by itself, under its own name.
+        return self._client.scatter([piece], hash=False)[0], size
 
     def _send(self, value: Any) -> Any:
         """What stands for the value on the workers, to which it is sent once."""
         key = fingerprint(value)
         if key not in self._sent:
-            # In a list: of a mapping dask sends every item by itself, under its own name.
+            # In a list, see `_handed`.
             (self._sent[key],) = self._client.scatter([value], broadcast=True, hash=False)
             while len(self._sent) > _KEPT:
                 self._sent.popitem(last=False)
@@ -223,6 +234,47 @@ class Cluster:
         told = self._client.get_versions(check=False, packages=["firebreak_gis", "numba"])
         for address, worker in told["workers"].items():
             _require_same(self._versions, {name: worker["packages"].get(name) for name in _ALIKE}, address)
+
+
+class _Out:
+    """Parts that are handed out to the workers of a client, and have not come back."""
+
+    def __init__(self, client: Any) -> None:
+        self._client = client
+        self._futures: dict[int, Any] = {}
+        self._sizes: dict[int, int] = {}
+        self.waiting: dict[Future[Result], int] = {}
+
+    @property
+    def bytes(self) -> int:
+        """Of their large pieces."""
+        return sum(self._sizes.values())
+
+    def add(self, i: int, future: Any, size: int) -> None:
+        """Wait for part `i`, with a large piece of so many bytes; dask waits for it, and this thread need not."""
+        self._futures[i], self._sizes[i] = future, size
+        self.waiting[self._soon(self._client.gather(future, asynchronous=True))] = i
+
+    def ready(self) -> list[tuple[int, Future[Result]]]:
+        """Parts that are made, or have failed, once there is one or a moment has gone by."""
+        made = wait(self.waiting, timeout=_LISTEN_EVERY, return_when=FIRST_COMPLETED).done
+        found = [(self.waiting.pop(each), each) for each in made]
+        for i, _ in found:
+            self._futures.pop(i).release()
+            del self._sizes[i]
+        return found
+
+    def drop(self, after: int = -1) -> None:
+        """Let go of the parts after one: nobody waits for them any more."""
+        gone = [self._futures.pop(i) for i in list(self._futures) if i > after]
+        self._sizes = {i: size for i, size in self._sizes.items() if i in self._futures}
+        self.waiting = {each: i for each, i in self.waiting.items() if i in self._futures}
+        if gone:
+            self._soon(self._client.cancel(gone, force=True, asynchronous=True))
+
+    def _soon(self, work: Any) -> Future[Any]:
+        """Let the thread of dask do what it calls asynchronous."""
+        return asyncio.run_coroutine_threadsafe(work, self._client.loop.asyncio_loop)
 
 
 def _make(work: Work, piece: Any, versions: Mapping[str, str], *shared: Mapping[str, Any]) -> Result:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from firebreak_gis.cli import options, outputs
+from firebreak_gis.cli.engine_options import engine
 from firebreak_gis.cli.layers import input_files, read_layers
 from firebreak_gis.cli.rehearsal import foresee, rehearse, require_outputs
 from firebreak_gis.cli.requests import built
@@ -46,6 +47,7 @@ STEP = 2
 @options.dry_run
 @options.landscape
 @options.common
+@engine
 @built(layers=LandscapeRequest, output=OutputRequest)
 def command(session: Session, *, dry_run: bool, layers: LandscapeRequest, output: OutputRequest) -> None:
     """Lay DEM, VEGETATION and DENSITY on one square grid in metres.
