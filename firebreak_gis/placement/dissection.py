@@ -154,7 +154,9 @@ class _Tree:
 
     def by_regions(self, burnable: np.ndarray, largest: int, threads: int | None, progress: Progress) -> list[Cut]:
         """Part the map into regions, and split each all the way down by itself."""
+        from firebreak_gis.placement.region_parts import walled_apart
         from firebreak_gis.placement.regions import Regions
+        from firebreak_gis.simulation.engine import in_use
 
         progress(0.0, "regions")
         regions = Regions(self._patches, burnable, largest)
@@ -173,17 +175,24 @@ class _Tree:
             progress(0.02, f"{len(self.cuts)} walls between regions")
         walled: list[list[Cut]] = [[] for _ in leaves]
 
-        def work(k: int) -> None:
+        def begun(k: int) -> np.ndarray:
             region, parent = leaves[k]
             cells = regions.cells(region)
             if parent >= 0:
                 self._sizes[cells] = self.cuts[parent].size
-            own = _Tree(self._patches, self._shape, self._smallest, self._sizes)
-            own.down([cells], -1, 1, silent)
-            walled[k] = own.cuts
+            return cells
+
+        def work(k: int) -> None:
+            walled[k] = walls_within(self._patches, begun(k), self._smallest, self._sizes, 1, silent)
 
         largest_first = sorted(range(len(leaves)), key=lambda k: -leaves[k][0].size)
-        run_pieces(work, largest_first, threads=threads, progress=part(progress, 0.05, 1.0), message="walls in regions")
+        step = part(progress, 0.05, 1.0)
+        if in_use() is None:
+            run_pieces(work, largest_first, threads=threads, progress=step, message="walls in regions")
+        else:
+            walled = walled_apart(
+                self._patches, begun, largest_first, self._smallest, self._sizes, threads=threads, progress=step
+            )
         for (_, parent), cuts in zip(leaves, walled, strict=True):
             above = len(self.cuts)
             self.cuts += [replace(cut, parent=parent if cut.parent < 0 else above + cut.parent) for cut in cuts]
@@ -193,6 +202,15 @@ class _Tree:
         line = along(wall, self._shape)
         self._sizes[cells] = size
         self.cuts.append(Cut(line, float(self._patches.cost[line].sum()), saved, parent, size))
+
+
+def walls_within(
+    patches: Patches, cells: np.ndarray, smallest: int, sizes: np.ndarray, threads: int | None, progress: Progress
+) -> list[Cut]:
+    """Walls of a connected patch that is split all the way down; parameters as in `dissect`."""
+    own = _Tree(patches, patches.shape, smallest, sizes)
+    own.down([cells], -1, threads, progress)
+    return own.cuts
 
 
 @dataclass(frozen=True, eq=False)

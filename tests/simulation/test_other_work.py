@@ -14,8 +14,11 @@ from firebreak_gis.errors import FirebreakError, InputError, ParameterError
 from firebreak_gis.landscape import survey
 from firebreak_gis.landscape.sources import Found, Sources
 from firebreak_gis.landscape.strips import read_by_parts
+from firebreak_gis.placement.dissection import dissect
+from firebreak_gis.progress import silent
 from firebreak_gis.simulation import engine
 from tests.landscape.test_strips import CASES, asked, layers, spoiled
+from tests.placement.test_dissection import noise
 
 
 @pytest.fixture(scope="module")
@@ -147,6 +150,47 @@ def test_align_writes_the_same_with_workers(tmp_path, monkeypatch):
         told.append((written, done.stdout.replace(name, "")))
     assert told[0] == told[1]
     assert "elevation.tif" in told[0][0]
+
+
+def dissected(progress=silent, seed=1):
+    """Walls of a map in regions, and the sizes of its compartments."""
+    network, stakes = noise(seed)
+    sizes = np.zeros(network.burnable.size, np.int32)
+    cuts = dissect(network, stakes, regions_from=2500, sizes=sizes, progress=progress)
+    return [[part.tolist() if isinstance(part, np.ndarray) else part for part in parts(cut)] for cut in cuts], sizes
+
+
+def parts(cut):
+    return cut.cells, cut.cost, cut.saved, cut.parent, cut.size
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_workers_dissect_regions_as_one_machine_does(seed, workers):
+    told = []
+    with engine.using(workers):
+        cuts, sizes = dissected(lambda share, message: told.append(message), seed)
+    alone = dissected(seed=seed)
+    assert cuts == alone[0]
+    assert (sizes == alone[1]).all()
+    assert "walls in regions" in told
+    assert "burning" not in told
+
+
+@pytest.mark.parametrize("count", [None, 2])
+def test_a_dissection_that_was_stopped_goes_on(count, workers, tmp_path):
+    keep = tmp_path / "parts"
+    with pytest.raises(_StopError), fb.cluster(keep=keep):
+        dissected(stopping(0.5))
+    kept = len(list(keep.iterdir()))
+    assert kept >= 2
+    with fb.cluster(keep=keep) as made:
+        made.cluster = workers.cluster if count else None
+        cuts, sizes = dissected()
+    alone = dissected()
+    assert cuts == alone[0]
+    assert (sizes == alone[1]).all()
+    assert made.kept.found == kept
+    assert made.kept.made >= 2
 
 
 def failing(piece, *, threads, progress):
