@@ -58,6 +58,8 @@ BLOCK_CELLS, SOURCE_CELLS = 4_000_000, 8_000_000
 _MAP, _WINDOW = 20, 700
 #: A process that burns what it was sent.
 _WORKER = Need(_COMPILED, 200)
+#: One that dissects regions; 190 B a cell were measured, and what comes and goes is there twice.
+_IN_REGIONS = Need(_COMPILED, 230)
 _STAGES: Mapping[str, tuple[Need, ...]] = {
     "align": (Need(_PLAIN, 81),),
     "network": (_MAKING,),
@@ -107,7 +109,7 @@ def bytes_for(
         Whether a network is made by blocks of `BLOCK_CELLS`, or read by them while its probabilities stay on the disk;
         of a plan, whether its networks lie there.
     workers
-        Processes of this machine that burn, each with the data in its own memory; none: the threads of this one.
+        Processes of this machine that do the work, each with its data in its own memory; none: the threads of this one.
     threads
         See `threads.thread_count`.
     """
@@ -125,11 +127,10 @@ def bytes_for(
             cell, thread = memory_of("ranking", name, large=cells > BLOCK_CELLS)
             work = Need(_COMPILED, _NETWORK - away * _PLANES + cell, thread)
             needed.append(work.bytes(cells, n_threads) + clock * (not away) * cells * _TIMES)
-    return (
-        max(needed)
-        + products * cells * (_KEPT + (n_threads + others) * _KEPT_THREAD)
-        + others * (_WORKER.bytes(cells, 1) + clock * cells * _TIMES)
-    )
+    each = _WORKER.bytes(cells, 1) + clock * cells * _TIMES
+    if command == "rank":
+        each = _IN_REGIONS.bytes(min(cells, BLOCK_CELLS), 1)
+    return max(needed) + products * cells * (_KEPT + (n_threads + others) * _KEPT_THREAD) + others * each
 
 
 def _times(stage: Need) -> int:

@@ -97,6 +97,11 @@ def test_each_worker_has_its_own_copy():
         memory.bytes_for("burn", n, **window, workers=2) - memory.bytes_for("burn", n, **window) for n in (10**6, 10**8)
     )
     assert one == other  # what a worker reads does not grow with the map
+    one, other = (
+        memory.bytes_for("rank", n, method="dissection", workers=2) - memory.bytes_for("rank", n, method="dissection")
+        for n in (memory.BLOCK_CELLS, 10**8)
+    )
+    assert one == other < 3 << 30  # nor does a region
 
 
 @pytest.mark.skipif(

@@ -1,7 +1,11 @@
-"""Whether all outputs are the same bytes, whoever burns: `python -m tests.benchmarks.equality`.
+"""Whether all outputs are the same bytes, whoever does the work: `python -m tests.benchmarks.equality`.
 
 Commands are run with {threads, processes, a dask scheduler of its own} x {1, 2, 4} of them x {the map in memory, by
-windows}, and the SHA-256 of every file is held against that of one thread with the map in memory. Writes equality.md.
+windows or parts}, and the SHA-256 of every file is held against that of one thread with the map in memory; the walls of
+regions, which are other ones than those of the whole, against one thread with the regions. Writes equality.md.
+
+Maps are laid by parts and dissected by regions from 4 million cells on; here from `--block` on. The process that is
+started decides this alone, workers are told their part. `--size 2100 --block 4000000` leaves it as it is.
 """
 
 from __future__ import annotations
@@ -16,15 +20,25 @@ import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import NamedTuple
+from unittest.mock import patch
 
 from click.testing import CliRunner
 
 from firebreak_gis.cli import firebreak
+from firebreak_gis.landscape.strips import read_by_parts
+from firebreak_gis.memory import BLOCK_CELLS
+from firebreak_gis.placement import dissection
 from tests.benchmarks.estimates import layers
 
 ENGINES = ("threads", "processes", "distributed")
 #: Fires by command; those of `burn` that can also be burnt by windows, and all others.
 BY_WINDOWS = ("burn", "NET", "-o", "OUT/burn.tif", "--sizes", "OUT/sizes.csv", "--duration", "2h", "--hold", "0.47")
+#: Networks in a few bits a number are burnt as those with all, see `network --bits`.
+PACKED = ("8", "16")
+#: What is laid by parts, and dissected by regions.
+ALIGN = ("align", "DEM", "VEG", "DEN", "-o", "OUT")
+REGIONS = ("rank", "NET", "-o", "OUT/rank.tif", "--method", "dissection")
 WHOLE: dict[str, tuple[str, ...]] = {
     "burn with products": (*BY_WINDOWS, "--products", "OUT/products"),
     "burn without a clock": ("burn", "NET", "-o", "OUT/burn.tif", "--sizes", "OUT/sizes.csv"),
@@ -39,6 +53,20 @@ WHOLE: dict[str, tuple[str, ...]] = {
 }
 
 
+class Asked(NamedTuple):
+    """A command, by the name of what it writes; outputs of one name must be the same."""
+
+    name: str
+    where: Landscape
+    words: tuple[str, ...]
+    block: int = BLOCK_CELLS
+
+    def hashes(self, engine: Sequence[str] = ()) -> dict[str, str]:
+        """Of what it writes."""
+        with blocks_of(self.block):
+            return hashes(self.where, self.words, engine)
+
+
 class Landscape:
     """Layers, their landscape, network and breaks, in a folder."""
 
@@ -49,6 +77,10 @@ class Landscape:
         self._names = {"NET": net, "LAND": land, "DEM": dem, "VEG": vegetation, "DEN": density}
         run(["align", dem, vegetation, density, "-o", land])
         run(["network", land, "-o", net, "--clock", "--wind-speed", "5", "--wind-from", "315"])
+        for bits in PACKED:
+            self._names[f"BITS{bits}"] = packed = str(folder / f"net{bits}.tif")
+            more = ("--clock", "--wind-speed", "5", "--wind-from", "315", "--bits", bits)
+            run(["network", land, "-o", packed, *more])
         run(["rank", net, "-o", str(folder / "rank.tif"), "--method", "stripes"])
         run(["breaks", str(folder / "rank.tif"), "-o", str(folder / "land" / "breaks.tif"), "--budget", "5%"])
 
@@ -66,6 +98,19 @@ def run(words: Sequence[str]) -> None:
         raise AssertionError(f"{' '.join(words)}\n{outcome.output}\n{outcome.exception!r}")
 
 
+@contextlib.contextmanager
+def blocks_of(cells: int) -> Iterator[None]:
+    """Let maps of more cells be laid by parts, and be dissected by regions, of about so many."""
+    with (
+        patch("firebreak_gis.landscape.surveying.BLOCK_CELLS", cells),
+        patch("firebreak_gis.cli.commands.rank.BLOCK_CELLS", cells),
+        patch.dict(read_by_parts.__kwdefaults__, cells=cells),
+        patch.dict(dissection.dissect.__kwdefaults__, regions_from=cells),
+        patch.object(dissection.by_regions, "__defaults__", (cells,)),
+    ):
+        yield
+
+
 def hashes(landscape: Landscape, words: Sequence[str], engine: Sequence[str] = ()) -> dict[str, str]:
     """SHA-256 of every file that a command writes, by name."""
     with tempfile.TemporaryDirectory() as place:
@@ -79,7 +124,7 @@ def hashes(landscape: Landscape, words: Sequence[str], engine: Sequence[str] = (
 
 @contextlib.contextmanager
 def engine(name: str, count: int, folder: Path) -> Iterator[list[str]]:
-    """Options that let so many threads, processes or workers of another scheduler burn."""
+    """Options that let so many threads, processes or workers of another scheduler do the work."""
     if name == "threads":
         before = os.environ.get("FIREBREAK_THREADS")
         os.environ["FIREBREAK_THREADS"] = str(count)
@@ -117,6 +162,19 @@ def started(what: str, *words: str) -> Iterator[subprocess.Popen[bytes]]:
         process.wait()
 
 
+def commands(given: argparse.Namespace, large: Landscape, small: Landscape) -> list[Asked]:
+    """What is run; the first of a name with the map in memory, if there is such."""
+    runs = ("--runs", given.runs)
+    windows = [(), *(("--window", str(side)) for side in given.windows)]
+    asked = [Asked("burn", large, (*BY_WINDOWS, *runs, *window)) for window in windows]
+    for bits in PACKED:
+        words = tuple(f"BITS{bits}" if word == "NET" else word for word in BY_WINDOWS)
+        asked += [Asked(f"burn of {bits} bits", large, (*words, *runs, *window)) for window in windows]
+    asked += [Asked("align", large, ALIGN, block) for block in (10**9, given.block)]
+    asked += [Asked("rank by regions", large, REGIONS, given.block)]
+    return asked + [Asked(name, small, (*words, *runs)) for name, words in WHOLE.items()]
+
+
 def main() -> None:
     """Write equality.md; exit with 1 if any file differs."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -126,6 +184,8 @@ def main() -> None:
     parser.add_argument("--windows", type=int, nargs="*", default=[256, 1024])
     parser.add_argument("--counts", type=int, nargs="*", default=[1, 2, 4])
     parser.add_argument("--runs", default="16")
+    parser.add_argument("--block", type=int, default=200_000, help="cells of a part, and of a region at most")
+    parser.add_argument("--only", default="", help="commands whose names hold this text")
     given = parser.parse_args()
     lines = ["| engine | of them | files | the same | seconds |", "|---|---|---|---|---|"]
     equal = True
@@ -134,17 +194,15 @@ def main() -> None:
         for name in ("large", "small"):
             (folder / name).mkdir()
         large, small = Landscape(folder / "large", given.size), Landscape(folder / "small", given.small)
-        runs = ("--runs", given.runs)
-        windows = [(), *(("--window", str(side)) for side in given.windows)]
-        asked = [(large, "burn", (*BY_WINDOWS, *runs, *window)) for window in windows]
-        asked += [(small, name, (*words, *runs)) for name, words in WHOLE.items()]
+        asked = [each for each in commands(given, large, small) if given.only in each.name]
         with engine("threads", 1, folder):
-            wanted = {name: hashes(where, words) for where, name, words in asked if "--window" not in words}
+            first = {each.name: each for each in reversed(asked)}
+            wanted = {name: each.hashes() for name, each in first.items()}
         for kind in ENGINES:
             for count in given.counts:
                 with engine(kind, count, folder) as words:
                     began = time.perf_counter()
-                    found = [(name, hashes(where, more, words)) for where, name, more in asked]
+                    found = [(each.name, each.hashes(words)) for each in asked]
                     took = time.perf_counter() - began
                 other = [name for name, each in found if each != wanted[name]]
                 files = sum(len(each) for _, each in found)

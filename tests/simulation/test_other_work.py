@@ -14,9 +14,10 @@ from firebreak_gis.errors import FirebreakError, InputError, ParameterError
 from firebreak_gis.landscape import survey
 from firebreak_gis.landscape.sources import Found, Sources
 from firebreak_gis.landscape.strips import read_by_parts
-from firebreak_gis.placement.dissection import dissect
+from firebreak_gis.placement.dissection import by_regions, dissect
 from firebreak_gis.progress import silent
 from firebreak_gis.simulation import engine
+from firebreak_gis.simulation import workers as clusters
 from tests.landscape.test_strips import CASES, asked, layers, spoiled
 from tests.placement.test_dissection import noise
 
@@ -191,6 +192,23 @@ def test_a_dissection_that_was_stopped_goes_on(count, workers, tmp_path):
     assert (sizes == alone[1]).all()
     assert made.kept.found == kept
     assert made.kept.made >= 2
+
+
+def test_rank_writes_the_same_with_workers(tmp_path, monkeypatch):
+    pieces = []
+    run = clusters.Cluster.run
+    monkeypatch.setattr(clusters.Cluster, "run", lambda *given: pieces.append(len(given[2])) or run(*given))
+    monkeypatch.setitem(dissect.__kwdefaults__, "regions_from", 2500)
+    monkeypatch.setattr(by_regions, "__defaults__", (2500,))
+    network = str(tmp_path / "network.tif")
+    fb.write_raster(network, noise(3)[0].to_raster())
+    for name, more in (("alone", []), ("shared", ["--workers", "2"])):
+        words = ["rank", network, "-o", str(tmp_path / f"{name}.tif"), "--method", "dissection", *more]
+        done = CliRunner().invoke(firebreak, words)
+        assert done.exit_code == 0, done.output
+    assert pieces
+    assert pieces[0] > 4
+    assert (tmp_path / "alone.tif").read_bytes() == (tmp_path / "shared.tif").read_bytes()
 
 
 def failing(piece, *, threads, progress):

@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from firebreak_gis.cli import filters, kinds, options, outputs, stakes_options
+from firebreak_gis.cli.engine_options import engine
 from firebreak_gis.cli.layers import input_files, read_stakes, ridges
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
@@ -37,6 +38,7 @@ STEP = 4
 @options.seed
 @options.fitting("rank")
 @options.common
+@engine
 @built(output=OutputRequest, asked=DesignRequest, fires=FireRequest, at_stake=StakesRequest, siting=SitingRequest)
 def command(
     session: Session,
