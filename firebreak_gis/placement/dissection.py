@@ -8,11 +8,11 @@ and for ends of several sizes, or weighed by what it saves where it lies.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from threading import Lock
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -154,9 +154,9 @@ class _Tree:
 
     def by_regions(self, burnable: np.ndarray, largest: int, threads: int | None, progress: Progress) -> list[Cut]:
         """Part the map into regions, and split each all the way down by itself."""
-        from firebreak_gis.placement.region_parts import walled_apart
+        from firebreak_gis.placement.region_parts import Pieces, bare, unpacked
         from firebreak_gis.placement.regions import Regions
-        from firebreak_gis.simulation.engine import in_use
+        from firebreak_gis.simulation.engine import in_use, spread
 
         progress(0.0, "regions")
         regions = Regions(self._patches, burnable, largest)
@@ -185,14 +185,18 @@ class _Tree:
         def work(k: int) -> None:
             walled[k] = walls_within(self._patches, begun(k), self._smallest, self._sizes, 1, silent)
 
+        def take(i: int, made: Mapping[str, np.ndarray]) -> None:
+            cells, split = begun(largest_first[i]), made["sizes"]
+            self._sizes[cells] = np.where(split > 0, split, self._sizes[cells])
+            walled[largest_first[i]] = [Cut(*each) for each in unpacked(made)]
+
         largest_first = sorted(range(len(leaves)), key=lambda k: -leaves[k][0].size)
-        step = part(progress, 0.05, 1.0)
+        how: dict[str, Any] = {"threads": threads, "progress": part(progress, 0.05, 1.0), "message": "walls in regions"}
         if in_use() is None:
-            run_pieces(work, largest_first, threads=threads, progress=step, message="walls in regions")
+            run_pieces(work, largest_first, **how)
         else:
-            walled = walled_apart(
-                self._patches, begun, largest_first, self._smallest, self._sizes, threads=threads, progress=step
-            )
+            shared = {"patches": bare(self._patches), "smallest": self._smallest}
+            spread(split_region, Pieces(self._patches, begun, largest_first), shared, take=take, **how)
         for (_, parent), cuts in zip(leaves, walled, strict=True):
             above = len(self.cuts)
             self.cuts += [replace(cut, parent=parent if cut.parent < 0 else above + cut.parent) for cut in cuts]
@@ -211,6 +215,17 @@ def walls_within(
     own = _Tree(patches, patches.shape, smallest, sizes)
     own.down([cells], -1, threads, progress)
     return own.cuts
+
+
+def split_region(
+    piece: Mapping[str, np.ndarray], *, patches: Patches, smallest: int, threads: int | None, progress: Progress
+) -> dict[str, np.ndarray]:
+    """Split a region, as `region_parts.Pieces` gives it, all the way down; returns what `region_parts.packed` does."""
+    from firebreak_gis.placement.region_parts import packed, placed
+
+    whole, sizes = placed(patches, piece)
+    cuts = walls_within(whole, piece["cells"], smallest, sizes, threads, progress)
+    return packed(((cut.cells, cut.cost, cut.saved, cut.parent, cut.size) for cut in cuts), sizes[piece["cells"]])
 
 
 @dataclass(frozen=True, eq=False)
