@@ -1,6 +1,7 @@
 """Work that is no fire, made by parts by workers, kept, and gone on with: always what one machine makes in one go."""
 
 import pickle
+import time
 from pathlib import Path
 
 import numpy as np
@@ -212,6 +213,8 @@ def test_rank_writes_the_same_with_workers(tmp_path, monkeypatch):
 
 
 def failing(piece, *, threads, progress):
+    if piece == 3:
+        time.sleep(0.5)  # the other one has failed by then
     if piece in (3, 5):
         raise ParameterError(f"{piece} is no part")
     return {"piece": np.array([piece])}
@@ -258,3 +261,27 @@ def test_large_pieces_are_made_as_they_are_handed_out(workers, monkeypatch):
     assert found == {i: 2 * i for i in range(12)}
     assert pieces.asked == list(range(12))
     assert max(ahead) < 4
+
+
+def slow(piece, *, threads, progress):
+    time.sleep(0.2)
+    return doubled(piece, threads=threads, progress=progress)
+
+
+def test_large_pieces_that_a_lost_worker_held_are_sent_again():
+    found, killed, waited = {}, [], []
+
+    def disturb(share, message):
+        waited.append(message)
+        if not killed and share > 0.2:
+            killed.append(next(iter(made.cluster._client.cluster.workers.values())))
+            killed[0].process.process._process.kill()
+
+    def take(i, result):
+        found[i] = int(result["sum"][0])
+
+    with fb.cluster(1) as made:
+        engine.spread(slow, Made(10), {}, take=take, threads=None, progress=disturb, message="at work")
+    assert killed
+    assert found == {i: 2 * i for i in range(10)}
+    assert set(waited) <= {"at work", "waiting for workers"}
