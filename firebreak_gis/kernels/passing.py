@@ -9,6 +9,7 @@ from firebreak_gis.kernels.draws import Thresholds
 from firebreak_gis.kernels.embers import Embers
 from firebreak_gis.kernels.percolation import Steps
 from firebreak_gis.kernels.policy import kernel
+from firebreak_gis.kernels.tally import comes_to
 from firebreak_gis.kernels.walls import Cleared, Walls
 
 _ONE = np.uint64(1)
@@ -29,6 +30,8 @@ def let_through(
     value: np.ndarray,
     hanging: np.ndarray,
     through: np.ndarray,
+    rim: np.ndarray,
+    reached: np.ndarray,
 ) -> float:
     """Burn runs, and add up the value that each cell lets through: its own and that of all that it lit, in turn.
 
@@ -42,6 +45,9 @@ def let_through(
         (n_cells,) float64, zero between runs.
     through
         (n_cells,) float64, added to.
+    rim, reached
+        As in `tally.Tally`: a run that comes to the rim is marked, and nothing of it is added. Empty where there is
+        none.
 
     Returns
     -------
@@ -52,6 +58,11 @@ def let_through(
     for k in range(runs.size):
         run = runs[k]
         size = burn_run(thresholds, keys[run], steps, clock, starts, walls, cleared, embers, space, run)
+        if comes_to(rim, space.order, size):
+            reached[run] = True
+            for i in range(size):
+                space.arrival[space.order[i]] = UNSEEN
+            continue
         for i in range(size):
             cell = space.order[size - _ONE - np.uint64(i)]
             whole = hanging[cell] + value[cell]

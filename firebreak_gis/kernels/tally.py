@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from firebreak_gis.kernels.percolation import Steps
-from firebreak_gis.kernels.policy import kernel
+from firebreak_gis.kernels.policy import inlined, kernel
 from firebreak_gis.kernels.walls import Cleared, Walls, spared
 
 _ZERO = np.uint64(0)
@@ -85,6 +85,18 @@ class Tally(NamedTuple):
     reached: np.ndarray
 
 
+@inlined
+def comes_to(rim: np.ndarray, order: np.ndarray, size: np.uint64) -> bool:
+    """Whether any of the first `size` cells of `order` is on a rim, (n_cells,) bool, or empty where there is none."""
+    reached = False
+    if rim.size > 0:
+        for i in range(size):
+            if rim[order[i]]:
+                reached = True
+                break
+    return reached
+
+
 @kernel
 def add_run(
     tally: Tally,
@@ -115,11 +127,9 @@ def add_run(
     walls, cleared
         Breaks, and how they hold.
     """
-    if tally.rim.size > 0:
-        for i in range(size):
-            if tally.rim[order[i]]:
-                tally.reached[run] = True
-                return
+    if comes_to(tally.rim, order, size):
+        tally.reached[run] = True
+        return
     burnt = np.int64(size) * tally.unit
     first, none = cleared.first, np.uint32(cleared.ground.shape[0])  # a look that spares most calls
     for i in range(size):

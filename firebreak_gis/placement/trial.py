@@ -96,9 +96,10 @@ class Trial:
             about: dict[str, Any] = {"first_run": first_run, "threads": self.threads, "progress": progress}
             return passing_windows(source, self._request(n_runs, first_run), value=self.stakes.value, **about)
         value = self.stakes.value.ravel()
+        nowhere, none = np.zeros(0, bool), np.zeros(n_runs, bool)
 
         def passed(ready: Ready, space: Workspace, runs: np.ndarray, sums: np.ndarray) -> None:
-            let_through(*ready.given, space, runs, value, np.zeros(value.size), sums)
+            let_through(*ready.given, space, runs, value, np.zeros(value.size), sums, nowhere, none)
 
         groups = made_ready(**self._given(cut, n_runs, first_run))
         return self._summed(groups, n_runs, value.size, passed, progress).reshape(self.stakes.value.shape)

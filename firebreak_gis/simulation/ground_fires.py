@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.landscape.lines import LineBreaks
-from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.simulation.fires import burn
 from firebreak_gis.simulation.ground import Ground, part_of
 from firebreak_gis.simulation.windows import breaks_in, burn_windows
@@ -26,8 +25,9 @@ if TYPE_CHECKING:
 
     Plane = np.ndarray | xr.DataArray
 
-#: On maps of more cells fires that have an end burn by windows.
-WINDOWS_FROM = BLOCK_CELLS
+#: On maps of more cells fires that have an end burn by windows: to make the whole map ready takes some 160 B a cell,
+#: to make a window ready as long as twenty fires.
+WINDOWS_FROM = 16_000_000
 
 
 @dataclass(frozen=True, eq=False)

@@ -222,7 +222,7 @@ def window_part(batches: Sequence[_Batch], **work: Any) -> dict[str, np.ndarray]
     -------
     dict
         `cells` of the map that burn and `counts`, how often, or what they let through; `runs` that are through, with
-        `sizes`, `lost` and `contained`; and those that need a `larger` window, with the number of the batch that each
+        `sizes` and `lost` (0 where it is told what cells let through) and `contained`; and those that need a `larger` window, with the number of the batch that each
         is `of`.
     """
     made = [_burn_window(batch, **work) for batch in batches]
@@ -268,19 +268,22 @@ def _burn_window(
         left = runs[~far[runs]]
     ends = np.minimum(limits, contained)
     worth = None if value is None else value[window.slices].ravel()
-    tally = burn_timed(ground.network, request, start, ends, value=worth, products=Products(), chosen=left, **fires)
-    left = left[~tally.reached[left]]
-    counts: np.ndarray = tally.counts
+    sizes, lost = np.zeros(request.n_runs, np.int64), np.zeros(request.n_runs)
     if passing and worth is not None:
-        given = {name: fires[name] for name in ("breaks", "barriers", "weather", "window")}
-        counts = let_through(ground.network, request, start, ends, value=worth, chosen=left, **given)
+        given = {name: fires[name] for name in ("breaks", "barriers", "weather", "window", "reach")}
+        counts, reached = let_through(ground.network, request, start, ends, value=worth, chosen=left, **given)
+    else:
+        tally = burn_timed(ground.network, request, start, ends, value=worth, products=Products(), chosen=left, **fires)
+        counts, reached, sizes = tally.counts, tally.reached, tally.sizes
+        lost = lost if worth is None else tally.lost
+    left = left[~reached[left]]
     burnt = np.flatnonzero(counts)
     return {
         "cells": window.on_map(burnt),
         "counts": counts[burnt],
         "runs": left,
-        "sizes": tally.sizes[left],
-        "lost": np.zeros(left.size) if worth is None else tally.lost[left],
+        "sizes": sizes[left],
+        "lost": lost[left],
         "contained": contained[left],
         "larger": np.setdiff1d(runs, left),
     }
