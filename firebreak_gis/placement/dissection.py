@@ -9,10 +9,10 @@ and for ends of several sizes, or weighed by what it saves where it lies.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 from threading import Lock
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -35,8 +35,7 @@ _LARGE = 20_000
 _BATCH = 20_000
 
 
-@dataclass(frozen=True, slots=True)
-class Cut:
+class Cut(NamedTuple):
     """One wall of the tree.
 
     Parameters
@@ -150,7 +149,7 @@ class _Tree:
             message=lambda: f"{len(self.cuts) + growth.n_walls} walls",
         )
         first = len(self.cuts)
-        self.cuts += [replace(cut, parent=parent if cut.parent < 0 else first + cut.parent) for cut in growth.cuts()]
+        self.cuts += [cut._replace(parent=parent if cut.parent < 0 else first + cut.parent) for cut in growth.cuts()]
 
     def by_regions(self, burnable: np.ndarray, largest: int, threads: int | None, progress: Progress) -> list[Cut]:
         """Part the map into regions, and split each all the way down by itself."""
@@ -199,7 +198,7 @@ class _Tree:
             spread(split_region, Pieces(self._patches, begun, largest_first), shared, take=take, **how)
         for (_, parent), cuts in zip(leaves, walled, strict=True):
             above = len(self.cuts)
-            self.cuts += [replace(cut, parent=parent if cut.parent < 0 else above + cut.parent) for cut in cuts]
+            self.cuts += [cut._replace(parent=parent if cut.parent < 0 else above + cut.parent) for cut in cuts]
         return self.cuts
 
     def _add(self, wall: np.ndarray, cells: np.ndarray, saved: float, parent: int, size: int) -> None:

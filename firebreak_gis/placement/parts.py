@@ -54,20 +54,39 @@ def parts_of(
         np.maximum(high, beside, out=high)
     lowest, highest = low.ravel(), high.ravel()
     block = np.zeros(lowest.size, np.uint8) if stretch is None else stretch.ravel()
-    taken = np.zeros(lowest.size, bool)
-    pieces: list[np.ndarray] = []
-    for line in lines:
-        own = line[~taken[line]]
-        taken[own] = True
-        if own.size == 0:
-            continue
-        # A cell where walls meet goes with the one before it.
-        met = np.where(lowest[own] < highest[own], np.arange(own.size), -1)
-        first = int(np.argmax(met >= 0))
-        by = own[np.maximum.accumulate(np.where(met < 0, first if met[first] >= 0 else 0, met))]
-        keys = np.stack([lowest[by], highest[by], block[own]])
-        _, where, group = np.unique(keys, axis=1, return_index=True, return_inverse=True)
-        pieces += [own[group.ravel() == k] for k in np.argsort(where)]
-    cells, costs = walls(pieces, network, stakes, width)
-    kept = [k for k, each in enumerate(cells) if each.size]
-    return [cells[k] for k in kept], np.array(costs)[kept]
+    cells = np.concatenate([*lines, np.zeros(0, np.int64)]).astype(np.int64)
+    line = np.repeat(np.arange(len(lines)), np.array([each.size for each in lines], np.int64))
+    first = np.sort(np.unique(cells, return_index=True)[1])  # a cell belongs to the first wall that has it
+    cells, line = cells[first], line[first]
+    by = cells[_deciding(lowest[cells] < highest[cells], line)]
+    keys = [each.astype(np.int64) for each in (block[cells], highest[by], lowest[by], line)]
+    order = np.lexsort(keys)
+    begins = np.flatnonzero(np.any([np.diff(key[order], prepend=-1) != 0 for key in keys], axis=0))
+    pieces = [cells[each] for each in np.split(order, begins[1:])] if order.size else []
+    pieces = [pieces[k] for k in np.argsort(order[begins])]  # as they come along the walls
+    wide, costs = walls(pieces, network, stakes, width)
+    kept = [k for k, each in enumerate(wide) if each.size]
+    return [wide[k] for k in kept], np.array(costs)[kept]
+
+
+def _deciding(between: np.ndarray, line: np.ndarray) -> np.ndarray:
+    """Positions of the cells by which each cell of some walls goes: a cell where walls meet by the one before it.
+
+    Parameters
+    ----------
+    between
+        (n,) bool, whether a cell lies between two compartments alone.
+    line
+        (n,) number of the wall of each cell, rising.
+
+    Returns
+    -------
+    numpy.ndarray
+        (n,) int64. Cells before the first between two go by that one, those of a wall that has none by its first.
+    """
+    start = np.searchsorted(line, line)
+    known = np.where(between, np.arange(line.size), -1)
+    before = np.maximum.accumulate(known)
+    following = np.minimum.accumulate(np.where(between, known, line.size)[::-1])[::-1]
+    within = following < np.searchsorted(line, line, side="right")
+    return np.where(before >= start, before, np.where(within, following, start))

@@ -65,7 +65,7 @@ def best_layout(
     network: SpreadNetwork,
     stakes: Stakes,
     trial: Trial,
-    lines: Callable[[int, Callable[[np.ndarray], float] | None], list[np.ndarray]],
+    lines: Callable[[int, Callable[[list[np.ndarray]], np.ndarray] | None], list[np.ndarray]],
     *,
     money: float,
     narrowest: int = 1,
@@ -81,8 +81,8 @@ def best_layout(
     trial
         The fires.
     lines
-        Told a width, and what tells how often all cells of a wall hold (None: always), returns the walls one cell wide
-        in the order of building that suits it.
+        Told a width, and what tells how often all cells of each wall hold (None: always), returns the walls one cell
+        wide in the order of building that suits it.
     money
         What the plan may cost, the unit of `stakes.cost`.
     narrowest, widest
@@ -117,13 +117,18 @@ def best_layout(
     return chosen
 
 
-def closing(network: SpreadNetwork, hold: Hold) -> Callable[[np.ndarray], float]:
-    """Tell how often all stretches of a wall hold, from its row-major cells, as a share of what one stretch does."""
+def closing(network: SpreadNetwork, hold: Hold) -> Callable[[list[np.ndarray]], np.ndarray]:
+    """Tell how often all stretches of each wall hold, from their row-major cells, as a share of what one does."""
     block = stretches(network.shape, network.grid.cell_size, hold.length).ravel()
     fuel = network.burnable.ravel()
+    n_blocks = int(block.max(initial=0)) + 1
 
-    def chance(cells: np.ndarray) -> float:
-        return all_hold(hold, np.unique(block[cells[fuel[cells]]]).size)
+    def chance(lines: list[np.ndarray]) -> np.ndarray:
+        cells = np.concatenate([*lines, np.zeros(0, np.int64)]).astype(np.int64)
+        line = np.repeat(np.arange(len(lines)), [each.size for each in lines])
+        crossed = np.unique((line * n_blocks + block[cells])[fuel[cells]])
+        counts = np.bincount(crossed // n_blocks, minlength=len(lines))
+        return np.array([all_hold(hold, each) for each in range(int(counts.max(initial=0)) + 1)])[counts]
 
     return chance
 

@@ -232,7 +232,7 @@ def _as_it_lies(network: SpreadNetwork, stakes: Stakes, params: Params, width: i
     def standard(turned: SpreadNetwork, placed: Stakes, turn: Turn) -> np.ndarray:
         number = turn(np.arange(network.burnable.size).reshape(network.shape)).ravel()
         found, sizes = _cuts(turned, placed, params, width, progress)
-        cuts.extend(replace(cut, cells=number[cut.cells]) for cut in found)
+        cuts.extend(cut._replace(cells=number[cut.cells]) for cut in found)
         return sizes
 
     sizes = _turned(network, stakes, standard)
@@ -273,13 +273,14 @@ def _in_sequence(
     network: SpreadNetwork,
     stakes: Stakes,
     width: int,
-    chance: Callable[[np.ndarray], float] | None = None,
+    chance: Callable[[list[np.ndarray]], np.ndarray] | None = None,
 ) -> list[np.ndarray]:
-    """Lines of the walls in the order of building that suits a width; `chance` tells how often one holds."""
+    """Lines of the walls in the order of building that suits a width; `chance` tells how often each holds."""
     from firebreak_gis.placement.dissection import sequence
     from firebreak_gis.placement.widening import walls
 
-    _, costs = walls([cut.cells for cut in cuts], network, stakes, width)
-    saved = [cut.saved * (1.0 if chance is None else chance(cut.cells)) for cut in cuts]
-    order = sequence(saved, costs, [cut.parent for cut in cuts])
-    return [cuts[i].cells for i in order]
+    lines = [cut.cells for cut in cuts]
+    _, costs = walls(lines, network, stakes, width)
+    saved = np.array([cut.saved for cut in cuts]) * (1.0 if chance is None else chance(lines))
+    order = sequence(saved.tolist(), costs, [cut.parent for cut in cuts])
+    return [lines[i] for i in order]

@@ -222,8 +222,8 @@ def window_part(batches: Sequence[_Batch], **work: Any) -> dict[str, np.ndarray]
     -------
     dict
         `cells` of the map that burn and `counts`, how often, or what they let through; `runs` that are through, with
-        `sizes` and `lost` (0 where it is told what cells let through) and `contained`; and those that need a `larger` window, with the number of the batch that each
-        is `of`.
+        `sizes` and `lost` (0 where it is told what cells let through) and `contained`; and those that need a `larger`
+        window, with the number of the batch that each is `of`.
     """
     made = [_burn_window(batch, **work) for batch in batches]
     for k, each in enumerate(made):

@@ -29,6 +29,7 @@ from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.simulation.weather import Spell, Step, Weather, WeatherNetworks
 from firebreak_gis.stakes import Stakes
 from tests.twins import centrality
+from tests.twins import placement as twins
 from tests.twins.arrival import Fire
 
 UTM = {"crs": "EPSG:32635", "transform": Affine(20, 0, 586_440, 0, -20, 3_999_900)}
@@ -248,9 +249,24 @@ def test_long_walls_are_held_less_often():
     network = SpreadNetwork(np.full((8, 40, 40), 0.5), **UTM)
     chance = closing(network, Hold(0.5, 200.0))
     row = np.arange(40)
-    assert chance(row[:10]) == 1.0
-    assert chance(row[:11]) == 0.5
-    assert chance(row) == 0.125
+    assert chance([row[:10], row[:11], row[:0], row]).tolist() == [1.0, 0.5, 1.0, 0.125]
+    assert chance([]).size == 0
+    bare = SpreadNetwork(np.full((8, 40, 40), 0.5), burnable=np.arange(1600).reshape(40, 40) % 40 < 10, **UTM)
+    assert closing(bare, Hold(0.5, 200.0))([row]).tolist() == [1.0]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_parts_are_those_found_wall_by_wall(seed):
+    network = network_of(20 + seed, (45, 60), low=0.3, high=0.9)
+    lines = walls_of(network)
+    lines += [lines[0], np.zeros(0, np.int64), np.random.default_rng(seed).permutation(2000)[:200]]
+    stakes, block = Stakes(network), stretches(network.shape, 20.0, 150.0)
+    for width in (1, 3):
+        cells, costs = parts_of(lines, network, stakes, width=width, stretch=block)
+        expected = twins.parts_of(lines, network, stakes, width=width, stretch=block)
+        assert [each.tolist() for each in cells] == [each.tolist() for each in expected]
+        assert costs.tolist() == [each.size for each in cells]
+    assert parts_of([], network, stakes)[0] == []
 
 
 def chosen(network, money, seed=0, **fires):

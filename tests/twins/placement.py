@@ -6,6 +6,7 @@ from collections import deque
 
 import networkx as nx
 import numpy as np
+from scipy import ndimage
 
 from firebreak_gis.kernels.draws import open_edges
 from firebreak_gis.kernels.flow import UNCUTTABLE
@@ -14,6 +15,7 @@ from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.dissection import Cut, along
 from firebreak_gis.placement.fires import Fires
 from firebreak_gis.placement.patches import COARSE_FROM, Patches
+from firebreak_gis.placement.widening import walls
 from firebreak_gis.stakes import Stakes
 
 
@@ -192,3 +194,30 @@ def dissected(
                 cuts.append(Cut(wall, float(patches.cost[wall].sum()), saved, parent, cells.size))
         waiting = children
     return cuts
+
+
+def parts_of(lines, network, stakes, *, width, stretch):
+    """Parts of walls, wall by wall: a cell where walls meet goes with the one before it."""
+    drawn = np.zeros(network.shape, bool)
+    drawn.ravel()[np.concatenate(lines)] = True
+    label = np.pad(ndimage.label(network.burnable & ~drawn, np.ones((3, 3)))[0], 1)
+    taken: set[int] = set()
+    pieces: list[list[int]] = []
+    for line in lines:
+        own = [cell for cell in line.tolist() if cell not in taken]
+        taken.update(own)
+        sides = []
+        for cell in own:
+            row, col = divmod(cell, network.shape[1])
+            beside = set(label[row : row + 3, col : col + 3].ravel().tolist()) - {0}
+            # The cell itself is drawn, so it has no label.
+            sides.append((min(beside), max(beside)) if len(beside) > 1 else None)
+        known = [each for each in sides if each is not None]
+        last = known[0] if known else None
+        found: dict[object, list[int]] = {}
+        for cell, each in zip(own, sides, strict=True):
+            last = each or last
+            by = last if last is not None else "none"
+            found.setdefault((by, int(stretch.ravel()[cell])), []).append(cell)
+        pieces += list(found.values())
+    return [each for each in walls([np.array(piece) for piece in pieces], network, stakes, width)[0] if each.size]
