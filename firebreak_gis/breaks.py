@@ -276,15 +276,70 @@ def removal_order(priority: np.ndarray | xr.DataArray) -> np.ndarray:
     array([[ 1,  0],
            [-1,  2]])
     """
+    values = _values(priority)
+    order = _in_order(values)
+    position = np.full(values.size, -1, dtype=np.int64)
+    position[order] = np.arange(order.size)
+    return position.reshape(values.shape)
+
+
+def can_be_cut(priority: np.ndarray | xr.DataArray) -> np.ndarray:
+    """Cells that a ranking may cut, bool: -inf and NaN never are."""
+    values = np.asarray(priority, dtype=np.float64)
+    return np.asarray(values > -np.inf)
+
+
+def first_cut(priority: np.ndarray | xr.DataArray, counts: Sequence[int] | np.ndarray) -> np.ndarray:
+    """Of rising numbers of cells that are cut the first at which each cell is, without the order of all cells.
+
+    Parameters
+    ----------
+    priority
+        As in `removal_order`, by which the cells are cut.
+    counts
+        (n,) whole numbers.
+
+    Returns
+    -------
+    numpy.ndarray
+        (rows, cols) int32: index into `counts`, n for cells that are cut at none.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> first_cut(np.array([[3.0, 7.0], [-np.inf, 3.0]]), [0, 1, 2])
+    array([[2, 1],
+           [3, 3]], dtype=int32)
+    """
+    values = _values(priority)
+    free = can_be_cut(values)
+    keys = np.where(free, -values, np.inf).ravel()
+    numbers = np.asarray(counts, np.int64)
+    n = int(np.count_nonzero(free))
+    if n == 0 or numbers.size == 0:
+        return np.full(values.shape, numbers.size, np.int32)
+    last = np.clip(numbers, 1, n) - 1  # place of the last cell that each number cuts
+    marks = np.partition(keys, np.unique(last))[last]
+    marks[numbers < 1] = -np.inf
+    out = np.searchsorted(marks, keys, side="left").astype(np.int32)
+    least = int(np.count_nonzero(numbers < 1))
+    np.maximum(out, least, out=out)
+    # Of the cells that are equal to a mark only some may be cut: by row, then column.
+    until = np.cumsum(np.bincount(out, minlength=numbers.size + 1))
+    equal = np.flatnonzero((keys == np.append(marks, np.nan)[out]) & free.ravel())
+    of = out[equal]
+    for k in np.unique(of):
+        own = equal[of == k]
+        out[own] = np.searchsorted(numbers, until[k] - own.size + np.arange(own.size), side="right")
+    out[~free.ravel()] = numbers.size
+    return out.reshape(values.shape)
+
+
+def _values(priority: np.ndarray | xr.DataArray) -> np.ndarray:
     values = np.asarray(priority, dtype=np.float64)
     if values.ndim != 2:
         raise GridError(f"priority has shape {values.shape}, expected (rows, cols)")
-    flat = values.ravel()
-    candidates = np.flatnonzero(~np.isnan(flat) & (flat > -np.inf))
-    order = candidates[np.argsort(-flat[candidates], kind="stable")]
-    position = np.full(flat.size, -1, dtype=np.int64)
-    position[order] = np.arange(order.size)
-    return position.reshape(values.shape)
+    return values
 
 
 def select_breaks(
@@ -343,14 +398,15 @@ def select_breaks(
     """
     amount = Budget.of(budget, unit)
     require_priority(priority)
-    position = removal_order(priority)
-    grid = Grid.of(priority) if hasattr(priority, "dims") else Grid((position.shape[0], position.shape[1]))
-    n_candidates = int(np.count_nonzero(position >= 0))
+    values = _values(priority)
+    free = can_be_cut(values)
+    grid = Grid.of(priority) if hasattr(priority, "dims") else Grid((free.shape[0], free.shape[1]))
+    n_candidates = int(np.count_nonzero(free))
     for name, plane in (("burnable", burnable), ("cost", cost)):
-        if plane is not None and np.shape(plane) != position.shape:
-            raise GridError(f"{name} has shape {np.shape(plane)}, expected {position.shape}")
+        if plane is not None and np.shape(plane) != free.shape:
+            raise GridError(f"{name} has shape {np.shape(plane)}, expected {free.shape}")
     if amount.unit == "cost" and cost is not None:
-        count = amount.affordable(np.asarray(cost, dtype=np.float64).ravel()[_in_order(position)])
+        count = amount.affordable(np.asarray(cost, dtype=np.float64).ravel()[_in_order(values)])
     else:
         n_burnable = n_candidates if burnable is None else int(np.count_nonzero(np.asarray(burnable)))
         count = amount.cells(n_burnable=n_burnable, cell_area_ha=grid.cell_area_ha)
@@ -360,18 +416,16 @@ def select_breaks(
                 f"a budget of {amount} is {count} cells, but only {n_candidates} cells can be cut; "
                 f"lower the budget to {most:.4g} or protect less"
             )
-    mask = ((position >= 0) & (position < count)).astype(np.uint8)
+    mask = (first_cut(values, [count]) == 0).astype(np.uint8)
     told = {"budget": float(amount.amount), "unit": amount.unit, "cells_cut": count}
     return annotate(grid.dataarray(mask, "breaks")).assign_attrs(told)
 
 
-def _in_order(position: np.ndarray) -> np.ndarray:
+def _in_order(values: np.ndarray) -> np.ndarray:
     """Row-major numbers of the cells that can be cut, the first to be cut first."""
-    flat = position.ravel()
-    candidates = np.flatnonzero(flat >= 0)
-    order = np.empty(candidates.size, dtype=np.int64)
-    order[flat[candidates]] = candidates
-    return order
+    flat = values.ravel()
+    candidates = np.flatnonzero(can_be_cut(flat))
+    return np.asarray(candidates[np.argsort(-flat[candidates], kind="stable")])
 
 
 def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -> gpd.GeoDataFrame:

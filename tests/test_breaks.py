@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from firebreak_gis.breaks import Budget, break_polygons, removal_order, select_breaks
+from firebreak_gis.breaks import Budget, break_polygons, first_cut, removal_order, select_breaks
 from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid, parse_crs
 from tests.twins import breaks as twin
@@ -30,6 +30,18 @@ def test_exactly_the_budget_is_cut_in_order(priority, budget):
     assert [tuple(c) for c in np.argwhere(position >= 0).tolist()] == sorted(order)
     for k, cell in enumerate(order):
         assert position[cell] == k
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(
+    hnp.arrays(np.float64, (5, 7), elements=st.sampled_from([0.0, 1.0, 2.5, -3.0, math.inf, -math.inf, math.nan])),
+    st.lists(st.integers(0, 40), max_size=6).map(sorted),
+)
+def test_the_first_number_that_cuts_a_cell_is_told_by_its_place(priority, counts):
+    expected = np.full(priority.shape, len(counts))
+    for place, cell in enumerate(twin.removal_order(priority)):
+        expected[cell] = sum(count <= place for count in counts)
+    np.testing.assert_array_equal(first_cut(priority, counts), expected)
 
 
 @settings(max_examples=30, deadline=None, derandomize=True)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from firebreak_gis.breaks import Budget, removal_order
+from firebreak_gis.breaks import Budget, can_be_cut
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def reachable(budgets: np.ndarray, priority: xr.DataArray, network: SpreadNetwork) -> np.ndarray:
     """Those of the budgets that protected cells leave enough cells for."""
-    candidates = int(np.count_nonzero(removal_order(priority) >= 0))
+    candidates = int(np.count_nonzero(can_be_cut(priority)))
     return budgets[[Budget(float(b)).cells(n_burnable=network.n_burnable) <= candidates for b in budgets]]
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import Amount, Budget, removal_order, require_priority, shares_of
+from firebreak_gis.breaks import Amount, Budget, first_cut, require_priority, shares_of
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
 from firebreak_gis.simulation.fires import resolved
@@ -149,8 +149,5 @@ def cut_levels(
     """
     if len(budgets) == 0 or np.any(np.diff(budgets) < 0):
         raise ParameterError("budgets must be a rising list of shares, for example 0.0, 0.05, 0.1")
-    cut = np.array([Budget(budget).cells(n_burnable=network.n_burnable) for budget in budgets])
-    position = removal_order(network.plane(priority, "priority"))
-    levels = np.searchsorted(cut, position, side="right") - 1
-    levels[position < 0] = len(cut) - 1
-    return levels.astype(np.int32)
+    cut = [Budget(budget).cells(n_burnable=network.n_burnable) for budget in budgets]
+    return first_cut(network.plane(priority, "priority"), cut) - np.int32(1)
