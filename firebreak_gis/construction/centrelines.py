@@ -7,8 +7,9 @@ is one cell wide. The part of a break that no border can be reached from separat
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -116,23 +117,32 @@ def draw_lines(borders: Borders, transform: Affine) -> list[shapely.Geometry]:
     return list(lines)
 
 
-def middle_line(outline: shapely.Geometry, border: shapely.Geometry | None) -> shapely.Geometry:
-    """Return the line of a segment, inside its polygon.
+def middle_lines(outlines: Sequence[shapely.Geometry], borders: Sequence[shapely.Geometry | None]) -> list[Any]:
+    """Return the line of each segment, inside its polygon.
 
     Parameters
     ----------
-    outline
-        Polygon of the cells of the segment.
-    border
-        Line along which it separates two compartments. The cells about its ends may belong to other segments. None for
-        a segment that separates nothing: its line is the long axis of its largest part.
+    outlines
+        Polygon of the cells of each segment.
+    borders
+        Line along which each separates two compartments. The cells about its ends may belong to other segments. None
+        for a segment that separates nothing: its line is the long axis of its largest part.
     """
     import shapely
 
-    if border is not None:
-        inside = border if outline.covers(border) else _lines_of(shapely.intersection(border, outline))
-        if inside.length > 0:
-            return inside
+    polygons, lines = np.array(outlines, object), np.array(borders, object)
+    inside = lines.copy()
+    partly = np.flatnonzero(shapely.is_geometry(lines) & ~shapely.covers(polygons, lines))
+    inside[partly] = [_lines_of(each) for each in shapely.intersection(lines[partly], polygons[partly])]
+    for k in np.flatnonzero(~(shapely.length(inside) > 0)):
+        inside[k] = _axis(polygons[k])
+    return list(inside)
+
+
+def _axis(outline: shapely.Geometry) -> shapely.Geometry:
+    """Return the long axis of the largest part of a polygon, or a line inside it."""
+    import shapely
+
     part = max(shapely.get_parts(outline), key=lambda polygon: polygon.area)
     corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(part))[:4]
     if np.hypot(*(corners[1] - corners[0])) < np.hypot(*(corners[2] - corners[1])):
@@ -147,18 +157,19 @@ def middle_line(outline: shapely.Geometry, border: shapely.Geometry | None) -> s
     return _lines_of(shapely.intersection(shapely.LineString([(left, y), (right, y)]), part))
 
 
-def mean_width(outline: shapely.Geometry) -> float:
-    """Return the width of the rectangle with the area and the perimeter of a polygon; of several, their mean by area.
+def mean_widths(outlines: Sequence[shapely.Geometry]) -> np.ndarray:
+    """Return the width of the rectangle with the area and the perimeter of each polygon; of parts, their mean by area.
 
     For a band of even width, straight or with corners, it is what can be measured across it; for cells that meet at
     corners only, a cell's.
     """
     import shapely
 
-    parts = shapely.get_parts(outline)
+    parts, of = shapely.get_parts(np.array(outlines, object), return_index=True)
     area, round_ = shapely.area(parts), shapely.length(parts)
     width = (round_ - np.sqrt(np.maximum(round_**2 - 16.0 * area, 0.0))) / 4.0
-    return float((width * area).sum() / area.sum())
+    whole = [np.bincount(of, weights=each, minlength=len(outlines)) for each in (width * area, area)]
+    return np.asarray(whole[0] / whole[1])
 
 
 def _lines_of(geometry: shapely.Geometry) -> shapely.Geometry:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from firebreak_gis.construction.centrelines import Borders, draw_lines, find_borders, mean_width, middle_line
+from firebreak_gis.construction.centrelines import Borders, draw_lines, find_borders, mean_widths, middle_lines
 from firebreak_gis.construction.compartments import Compartments, split, weights
 from firebreak_gis.construction.keys import keyed
 from firebreak_gis.construction.sequence import construction_order, gains
@@ -118,7 +118,7 @@ def segments_of(
     * `stage`: segments of one stage lie between the same two compartments of what is built by then, and work only
       once all of them stand;
     * `length_m`: of the line;
-    * `width_m`: mean width of the polygon, see `firebreak_gis.construction.centrelines.mean_width`; a cell's for a wall
+    * `width_m`: mean width of the polygon, see `construction.centrelines.mean_widths`; a cell's for a wall
       that is one cell wide;
     * `cells`, `area_ha`;
     * `mean_slope_deg`, `max_slope_deg`: of the terrain at the cells by Horn's weights, NaN without elevation;
@@ -355,18 +355,17 @@ def _frames(
 ) -> Segments:
     """Lines and polygons of the segments in `order`, which `columns` follow."""
     import geopandas as gpd
+    import shapely
 
     grid = network.grid
     number = np.zeros(int(owner.max(initial=-1)) + 2, np.int32)  # the last entry is for cells in no segment
     number[order] = np.arange(1, order.size + 1)
     outlined = outlines(number[owner].reshape(network.shape), order.size, grid)
     drawn = draw_lines(borders, grid.transform)
-    lines = [
-        middle_line(outline, drawn[i] if i < len(drawn) else None) for i, outline in zip(order, outlined, strict=True)
-    ]
+    lines = middle_lines(outlined, [drawn[i] if i < len(drawn) else None for i in order])
     sizes = {
-        "length_m": np.array([line.length for line in lines]),
-        "width_m": np.array([mean_width(outline) for outline in outlined]),
+        "length_m": shapely.length(lines),
+        "width_m": mean_widths(outlined),
     }
     names: tuple[str, ...] = (
         "order",
