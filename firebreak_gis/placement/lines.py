@@ -8,13 +8,14 @@ that costs less. What counts is the drawn line: its length, its cost, and the li
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.kernels.coarse import blocks
 from firebreak_gis.kernels.crossings import PARTS, cross_links
 from firebreak_gis.kernels.drawing import channels, landings, lines_in, prices_of
 from firebreak_gis.kernels.linkflow import MOST, best_link_cut, link_costs
@@ -22,7 +23,7 @@ from firebreak_gis.kernels.patches import patch_links
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.placement.dissection import batches, work_of
 from firebreak_gis.placement.edges import links
-from firebreak_gis.placement.patches import ordered, pieces_of
+from firebreak_gis.placement.patches import factor_for, ordered, pieces_of, sorted_along
 from firebreak_gis.progress import part
 from firebreak_gis.threads import run_pieces
 
@@ -33,8 +34,11 @@ if TYPE_CHECKING:
 
 #: Costs of a link along an axis and across; where prices differ, of one of the median price.
 _EQUAL, _DIFFERENT = (17.0, 12.0), (170.0, 120.0)
-#: Compartments with more cells are searched in one direction a piece of work, so that all threads are busy.
-_LARGE = 20_000
+#: A cell that no line may pass counts in a block as so many of the dearest.
+_DEAR = 8.0
+#: The walls of compartments of more cells are sought in so many directions alone, those that are best for the blocks:
+#: on the sample and on Rhodes at 40 m in half the time, with 0.1 % more and 0.8 % more left of the expected loss.
+_COARSE_FROM, _TRIED = 1024, 2
 #: Gates of a channel from which on its line may leave it.
 _SHORT = 4
 #: Share of what a cut saves that its line must save after it was pulled straight.
@@ -87,6 +91,7 @@ class _Field:
     scale: tuple[float, float]
     angles: np.ndarray
     shares: np.ndarray
+    coarse_from: int
 
     def near(self, cells: np.ndarray) -> np.ndarray:
         return patch_links(cells, self.links, *self.shape, np.array(ROW_STEP), np.array(COL_STEP))  # type: ignore[no-any-return]
@@ -94,20 +99,42 @@ class _Field:
     def loss(self, cells: np.ndarray) -> float:
         return float(self.ignition[cells].sum() * self.value[cells].sum())
 
-    def cut(self, cells: np.ndarray, directions: Sequence[int]) -> tuple[float, np.ndarray]:
-        """Score and sides of the best wall over the directions."""
+    def sides(self, cells: np.ndarray) -> np.ndarray:
+        """Sides of the best wall of a compartment."""
         near = self.near(cells)
         side = np.ones(cells.size, np.uint8)
-        score, _ = best_link_cut(
+        best_link_cut(
             near,
             link_costs(near, self.price[cells], *self.scale),
             self.ignition[cells],
             self.value[cells],
-            ordered(cells, self.shape, self.angles[list(directions)]),
+            ordered(cells, self.shape, self.angles[self._directions(cells)]),
             self.shares,
             side,
         )
-        return score, side
+        return side
+
+    def _directions(self, cells: np.ndarray) -> Sequence[int]:
+        """Directions in which the wall of a compartment is sought; of a large one the best ones for its blocks."""
+        every = range(len(self.angles))
+        if cells.size <= self.coarse_from:
+            return every
+        factor = factor_for(cells.size, self.coarse_from)
+        label, near = blocks(cells, self.links, *self.shape, np.array(ROW_STEP), np.array(COL_STEP), factor)
+
+        def joined(values: np.ndarray) -> np.ndarray:
+            return np.bincount(label, weights=values)
+
+        count, price = joined(np.ones(cells.size)), self.price[cells]
+        barred = price < 0
+        dear = _DEAR * price.max(initial=0.0)
+        mean = np.where(joined(barred) == count, -1.0, joined(np.where(barred, dear, price)) / count)
+        row, col = (joined(line) / count for line in np.divmod(cells, self.shape[1]))
+        order = sorted_along(row, col, self.shape, self.angles, ring=False)
+        masses, side = (joined(self.ignition[cells]), joined(self.value[cells])), np.ones(count.size, np.uint8)
+        cost = link_costs(near, mean, *self.scale)
+        scores = [best_link_cut(near, cost, *masses, order[k : k + 1], self.shares, side)[0] for k in every]
+        return np.argsort(-np.array(scores), kind="stable")[:_TRIED].tolist() if max(scores) > 0.0 else every
 
     def drawn(self, cells: np.ndarray, side: np.ndarray) -> _Drawn | None:
         """The wall between two sides of a compartment as lines; None if there is none."""
@@ -199,6 +226,7 @@ def dissect_by_lines(
     directions: int = 8,
     shares: Sequence[float] = (0.2, 0.25, 0.3, 0.35, 0.4, 0.45),
     smallest: int = 64,
+    coarse_from: int = _COARSE_FROM,
     threads: int | None = None,
     progress: Progress,
 ) -> list[LineCut]:
@@ -211,6 +239,8 @@ def dissect_by_lines(
         protected cells, and cells without fuel need none.
     directions, shares, smallest, threads, progress
         As in `dissection.dissect`.
+    coarse_from
+        The wall of a compartment with more cells is sought in the directions that are best for its blocks alone.
 
     Returns
     -------
@@ -236,6 +266,7 @@ def dissect_by_lines(
         scale,
         np.pi * np.arange(directions)[:, np.newaxis] / directions,
         np.asarray(shares),
+        coarse_from,
     )
     fuel = np.flatnonzero(network.burnable.ravel())
     waiting = [(cells, -1) for cells in pieces_of(fuel, field.near(fuel))]
@@ -246,7 +277,7 @@ def dissect_by_lines(
         done = 1.0 - left / max(total, 1.0)
         left = sum(work_of(cells.size / 2, smallest) for cells, _ in waiting)
         step = part(progress, done, 1.0 - left / max(total, 1.0))
-        walls = _walls(field, [cells for cells, _ in waiting], directions, threads, step, f"{len(cuts)} walls")
+        walls = _walls(field, [cells for cells, _ in waiting], threads, step, f"{len(cuts)} walls")
         children = []
         for (cells, parent), wall in zip(waiting, walls, strict=True):
             if wall is None or len(wall.pieces) < 2:
@@ -286,62 +317,24 @@ def _prices(network: SpreadNetwork, stakes: Stakes) -> tuple[np.ndarray, tuple[f
 def _walls(
     field: _Field,
     compartments: list[np.ndarray],
-    directions: int,
     threads: int | None,
     progress: Progress,
     message: str,
 ) -> list[_Drawn | None]:
     """The best wall of every compartment."""
-    sides = _best_sides(
-        compartments, field.cut, directions, threads=threads, progress=part(progress, 0.0, 0.8), message=message
-    )
+    sides: list[np.ndarray] = [np.zeros(0, np.uint8)] * len(compartments)
+
+    def seek(batch: list[int]) -> None:
+        for i in batch:
+            sides[i] = field.sides(compartments[i])
+
+    pieces = batches(compartments)
+    run_pieces(seek, pieces, threads=threads, progress=part(progress, 0.0, 0.8), message=message)
     walls: list[_Drawn | None] = [None] * len(compartments)
 
     def draw(batch: list[int]) -> None:
         for i in batch:
             walls[i] = field.drawn(compartments[i], sides[i])
 
-    step = part(progress, 0.8, 1.0)
-    run_pieces(draw, batches(compartments), threads=threads, progress=step, message=message)
+    run_pieces(draw, pieces, threads=threads, progress=part(progress, 0.8, 1.0), message=message)
     return walls
-
-
-def _best_sides(
-    compartments: Sequence[np.ndarray],
-    cut: Callable[[np.ndarray, Sequence[int]], tuple[float, np.ndarray]],
-    directions: int,
-    *,
-    threads: int | None,
-    progress: Progress,
-    message: str = "",
-) -> list[np.ndarray]:
-    """The sides of the best wall of every compartment, as `cut` marks them.
-
-    Parameters
-    ----------
-    compartments
-        Cells of each.
-    cut
-        Returns the score and the mark of the best wall of some cells over some directions.
-    directions
-        How many there are; of equal walls that of the first counts.
-    """
-    every = range(directions)
-    tasks: list[list[tuple[int, Sequence[int]]]] = []
-    for batch in batches(compartments):
-        if compartments[batch[0]].size > _LARGE:
-            tasks += [[(batch[0], [k])] for k in every]
-        else:
-            tasks.append([(i, every) for i in batch])
-    found: dict[tuple[int, int], tuple[float, np.ndarray]] = {}
-
-    def work(task: list[tuple[int, Sequence[int]]]) -> None:
-        for i, chosen in task:
-            found[i, chosen[0]] = cut(compartments[i], chosen)
-
-    run_pieces(work, tasks, threads=threads, progress=progress, message=message)
-    best = []
-    for i in range(len(compartments)):
-        options = [found[i, k] for k in every if (i, k) in found]
-        best.append(max(options, key=lambda option: option[0])[1])  # the first of equals
-    return best

@@ -10,6 +10,7 @@ import pytest
 import scipy.sparse as sp
 import shapely
 from affine import Affine
+from scipy import ndimage
 from scipy.sparse.csgraph import connected_components, maximum_flow
 
 from firebreak_gis import SpreadNetwork
@@ -21,6 +22,7 @@ from firebreak_gis.kernels.linkflow import MOST, UNCUTTABLE, best_link_cut, link
 from firebreak_gis.kernels.patches import patch_links, pieces_after
 from firebreak_gis.landscape.lines import links_crossed
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
+from firebreak_gis.placement.dissection import sequence
 from firebreak_gis.placement.edges import links
 from firebreak_gis.placement.lines import dissect_by_lines
 from firebreak_gis.progress import silent
@@ -270,6 +272,34 @@ def test_lines_leave_the_compartments_that_the_tree_tells(seed):
     length = np.array([sum(np.hypot(*np.diff(line, axis=0).T).sum() for line in cut.lines) / PARTS for cut in cuts])
     np.testing.assert_allclose(length, [cut.length for cut in cuts])
     assert length.sum() * 20 == pytest.approx(drawn.length.sum())
+
+
+@pytest.mark.parametrize("angle", [0.0, 30.0, 45.0, 80.0])
+def test_the_wall_of_a_large_compartment_is_found_by_its_blocks(angle):
+    """As good as the best of all directions, sought in few."""
+    network = forest_of(neck(angle))
+    about = {"smallest": 6000, "progress": silent}
+    every, few = (dissect_by_lines(network, Stakes(network), coarse_from=n, **about) for n in (10**9, 500))
+    assert few[0].saved / few[0].price > 0.98 * every[0].saved / every[0].price
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_walls_found_by_blocks_save_about_as_much(seed):
+    random = np.random.default_rng(seed)
+    fuel = patchy(seed, (90, 110), share=0.1)
+    rough = ndimage.gaussian_filter(random.standard_normal(fuel.shape), 5)
+    cost = np.where(fuel, np.exp(rough / rough.std()), 0.0)
+    stakes = Stakes(forest_of(fuel), cost=cost)
+    saved = []
+    for coarse_from in (10**9, 300):
+        cuts = dissect_by_lines(
+            forest_of(fuel), stakes, smallest=200, coarse_from=coarse_from, threads=1, progress=silent
+        )
+        order = sequence([cut.saved for cut in cuts], [cut.price for cut in cuts], [cut.parent for cut in cuts])
+        paid = np.cumsum([cuts[k].price for k in order])
+        total = np.cumsum([cuts[k].saved for k in order])
+        saved.append(np.mean([total[paid <= money].max(initial=0.0) for money in np.linspace(0.1, 0.6, 6) * paid[-1]]))
+    assert saved[1] > 0.97 * saved[0] > 0.5
 
 
 def test_walls_do_not_depend_on_threads_and_torus_is_refused():
