@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import mmap
 import os
 import tempfile
 from pathlib import Path
@@ -42,6 +43,13 @@ def on_disk(folder: str | os.PathLike[str], shape: tuple[int, ...], dtype: DType
         raise OutputError(
             f"cannot keep {math.prod(shape):,} numbers on the disk of {folder}: {reason(error)}"
         ) from error
+
+
+def let_go(array: np.ndarray) -> None:
+    """Let the system have the pages of an array of `on_disk`: its values stay, and are read where they are needed."""
+    mapped = getattr(array, "_mmap", None)
+    if mapped is not None and hasattr(mmap, "MADV_DONTNEED"):  # elsewhere the system takes them when it needs them
+        mapped.madvise(mmap.MADV_DONTNEED)
 
 
 def standing_folder(folder: str | os.PathLike[str]) -> str:

@@ -40,7 +40,7 @@ def network_of(
     cells
         Landscapes of more cells are large, and about so many are in a block; None: `memory.BLOCK_CELLS`.
     """
-    from firebreak_gis.files.scratch import on_disk
+    from firebreak_gis.files.scratch import let_go, on_disk
     from firebreak_gis.simulation.ground import network_of_planes
     from firebreak_gis.spread import spread_network
 
@@ -63,6 +63,7 @@ def network_of(
                 if name not in planes:
                     planes[name] = on_disk(folder, (*plane.shape[:-2], rows, cols), plane.dtype)
                 planes[name][..., start:stop, :] = plane[..., start - top : stop - top, :]
+                let_go(planes[name])
         provenance = network.provenance
     burnable = np.array(planes.pop("burnable"))  # looked at often
     grid = Grid.of(landscape["burnable"])

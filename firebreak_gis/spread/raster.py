@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from firebreak_gis.errors import CRSError, InputError, ParameterError
-from firebreak_gis.files.scratch import on_disk
+from firebreak_gis.files.scratch import let_go, on_disk
 from firebreak_gis.grid import Grid
 from firebreak_gis.lattice import DIRECTIONS
 from firebreak_gis.memory import BLOCK_CELLS
@@ -142,6 +142,7 @@ class NetworkFile:
             part = self._network(files, (top, 0, min(stop + 1, rows) - top, cols))
             own = slice(row - top, stop - top)
             probability[:, row:stop], burnable[row:stop] = part.probability[:, own], part.burnable[own]
+            let_go(probability)
         return network_of_planes(probability, burnable, self.grid)
 
     def fuel(self, window: Window) -> np.ndarray:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,7 +17,7 @@ from hypothesis import strategies as st
 
 from firebreak_gis.cli.group import firebreak
 from firebreak_gis.errors import FirebreakError, InputError, LegendError
-from firebreak_gis.files.scratch import on_disk
+from firebreak_gis.files.scratch import let_go, on_disk
 from firebreak_gis.grid import Grid
 from firebreak_gis.landscape import read_surveyed, survey, write_landscape
 from firebreak_gis.landscape.grid_part import GridPart
@@ -209,6 +212,20 @@ def test_arrays_on_the_disk_leave_nothing_behind(tmp_path):
     array[:] = 3
     assert array.sum() == 3600
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only there /proc tells what is resident")
+def test_what_is_let_go_keeps_its_values_and_no_memory(tmp_path):
+    def files():
+        return int(re.search(r"RssFile:\s+(\d+) kB", Path("/proc/self/status").read_text())[1])
+
+    array = on_disk(tmp_path, (2000, 4000), np.float32)
+    array[:] = np.arange(4000, dtype=np.float32)
+    held = files()
+    let_go(array)
+    assert files() < held - 25_000
+    assert array[1234, 4:7].tolist() == [4.0, 5.0, 6.0]
+    let_go(np.zeros(3))  # in memory there is nothing to let go
 
 
 def test_align_by_parts_writes_what_align_writes(tmp_path, monkeypatch):
