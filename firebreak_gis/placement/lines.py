@@ -3,7 +3,8 @@
 As in `placement.dissection`, but what is cut are the links between neighbouring cells, so a wall is a line that may be
 narrower than a cell, and what it costs hardly depends on the direction of the lattice (`kernels.linkflow`). Each wall
 is drawn (`kernels.drawing`) as the shortest line between the cells of its two sides, and then pulled straight where
-that costs less. What counts is the drawn line: its length, its cost, and the links that it crosses.
+that costs less. What counts is the drawn line: its length, its cost, and the links that it crosses. The wall of a large
+compartment is sought in the directions alone that are best when its cells are joined to blocks.
 """
 
 from __future__ import annotations
