@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.files.scratch import on_disk
+from firebreak_gis.files.scratch import let_go, on_disk
 from firebreak_gis.landscape.alignment import flags_told, placing, strips, with_nodata
 from firebreak_gis.landscape.grid_part import GridPart
 from firebreak_gis.landscape.layers import look_at_elevations, require_some
@@ -150,6 +150,7 @@ def read_by_parts(
             if name not in planes:
                 planes[name] = on_disk(folder, grid.shape, values.dtype)
             planes[name][row : row + rows, col : col + cols] = values
+            let_go(planes[name])
 
     headers = {name: layer.header for name, layer in layers.items()}
     source = Sources(grid, headers, found.legend, found.density_legend, found.density, request.strict)
