@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from firebreak_gis.errors import GridError, InputError, ParameterError
-from firebreak_gis.grid import Grid, traced
+from firebreak_gis.grid import Grid, outlines
 from firebreak_gis.rasters.units import read_amount
 from firebreak_gis.schema import VARIABLES, annotate
 
@@ -457,12 +457,11 @@ def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -
     """
     import geopandas as gpd
     from scipy import ndimage
-    from shapely.ops import unary_union
 
     grid = Grid.of(breaks)
     cut = np.asarray(breaks) > 0
     labels, n_pieces = ndimage.label(cut, structure=np.ones((3, 3)))
-    parts = traced(labels, n_pieces, grid)
+    drawn = outlines(labels, n_pieces, grid)
     cells = np.bincount(labels.ravel(), minlength=n_pieces + 1)[1:]
     scores = np.zeros(n_pieces)
     if priority is not None:
@@ -479,6 +478,6 @@ def break_polygons(breaks: xr.DataArray, priority: xr.DataArray | None = None) -
             "area_ha": cells[sequence] * grid.cell_area_ha,
             "mean_priority": scores[sequence],
         },
-        geometry=[unary_union(parts[int(i)]) for i in sequence],
+        geometry=[drawn[i] for i in sequence],
         crs=grid.crs,
     )

@@ -394,7 +394,7 @@ def crs_name(crs: CRS) -> str:
     return f"EPSG:{epsg}" if epsg else str(crs.name)
 
 
-def traced(ids: np.ndarray, n: int, grid: Grid) -> list[list[Polygon]]:
+def _traced(ids: np.ndarray, n: int, grid: Grid) -> list[list[Polygon]]:
     """Trace the cells of each number from 1 to n over their sides, so that what touches at corners is valid.
 
     Parameters
@@ -429,10 +429,10 @@ def traced(ids: np.ndarray, n: int, grid: Grid) -> list[list[Polygon]]:
 
 
 def outlines(ids: np.ndarray, n: int, grid: Grid) -> list[Geometry]:
-    """Outline the cells of each number, as `traced`: a valid polygon or multipolygon each, empty without cells."""
+    """Outline the cells of each number, over their sides: a valid polygon or multipolygon each, empty without cells."""
     import shapely
 
-    groups = traced(ids, n, grid)
+    groups = _traced(ids, n, grid)
     found = np.empty(n, object)
     found[:] = [
         each[0] if len(each) == 1 else shapely.MultiPolygon(each) if each else shapely.Polygon() for each in groups
