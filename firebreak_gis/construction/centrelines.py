@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from affine import Affine
 
 
+#: Units of border that are joined at once: each is an object of its own, of some 200 B.
+_TOGETHER = 500_000
+
+
 @dataclass(frozen=True)
 class Borders:
     """Stretches of border, each between one pair of compartments.
@@ -100,20 +104,30 @@ def draw_lines(borders: Borders, transform: Affine) -> list[shapely.Geometry]:
     transform
         Of the grid.
     """
+    order = np.argsort(borders.edge, kind="stable")
+    starts = np.searchsorted(borders.edge[order], np.arange(len(borders.pair) + 1))
+    lines: list[shapely.Geometry] = []
+    while len(lines) < len(borders.pair):
+        first = len(lines)
+        last = max(int(np.searchsorted(starts, starts[first] + _TOGETHER, side="right")) - 1, first + 1)
+        units = order[starts[first] : starts[last]]
+        lines += _drawn(borders.ends[units].astype(np.float64), borders.edge[units] - first, transform)
+    return lines
+
+
+def _drawn(ends: np.ndarray, stretch: np.ndarray, transform: Affine) -> list[shapely.Geometry]:
+    """Draw stretches whose units are given, those of one after those of another; see `draw_lines`."""
     import shapely
 
-    order = np.argsort(borders.edge, kind="stable")
-    units = shapely.linestrings(borders.ends[order].astype(np.float64))
-    merged = shapely.line_merge(shapely.multilinestrings(units, indices=borders.edge[order]))
-    parts, stretch = shapely.get_parts(merged, return_index=True)
+    merged = shapely.line_merge(shapely.multilinestrings(shapely.linestrings(ends), indices=stretch))
+    parts, of = shapely.get_parts(merged, return_index=True)
     plain = shapely.simplify(_smooth(parts), 1e-6)
     scale, shift = np.array([transform.a, transform.e]) / 2, np.array([transform.c, transform.f])
     placed = shapely.transform(plain, lambda points: shift + scale * points)
-    count = np.bincount(stretch, minlength=merged.size)
+    single = np.bincount(of, minlength=merged.size)[of] == 1
     lines = np.empty(merged.size, object)
-    single = count[stretch] == 1
-    lines[stretch[single]] = placed[single]
-    shapely.multilinestrings(placed[~single], indices=stretch[~single], out=lines)
+    lines[of[single]] = placed[single]
+    shapely.multilinestrings(placed[~single], indices=of[~single], out=lines)
     return list(lines)
 
 

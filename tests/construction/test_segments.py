@@ -14,8 +14,9 @@ from rasterio.features import rasterize
 
 import firebreak_gis as fb
 from firebreak_gis.breaks import select_breaks
+from firebreak_gis.construction import centrelines
 from firebreak_gis.construction.centrelines import find_borders
-from firebreak_gis.construction.compartments import compartments_of
+from firebreak_gis.construction.compartments import compartments_of, split
 from firebreak_gis.construction.segments import segments_of
 from firebreak_gis.construction.sequence import construction_order
 from firebreak_gis.errors import GridError, InputError
@@ -144,6 +145,20 @@ def test_thick_walls_keep_their_middle_line(width):
     assert len(polygons) == 1
     assert lines.iloc[0]["width_m"] == pytest.approx(width * CELL)
     assert lines.geometry.iloc[0].equals(shapely.LineString([PLACE @ (4 + width / 2, 0), PLACE @ (4 + width / 2, 6)]))
+
+
+def test_lines_drawn_together_or_one_by_one_are_the_same(monkeypatch):
+    cut = np.zeros((40, 50), bool)
+    cut[::6] = cut[3:5, ::2] = cut[:, ::7] = True
+    network = SpreadNetwork(np.full((8, 40, 50), 0.5), transform=PLACE)
+    parts = split(network, cut)
+    borders = centrelines.find_borders(parts.labels, cut)
+    whole = centrelines.draw_lines(borders, PLACE)
+    for together in (1, 7, 60):
+        monkeypatch.setattr(centrelines, "_TOGETHER", together)
+        drawn = centrelines.draw_lines(borders, PLACE)
+        assert len(drawn) == len(borders.pair) > 20
+        assert all(one.equals_exact(other, 0.0) for one, other in zip(drawn, whole, strict=True))
 
 
 @pytest.mark.parametrize("width", [1, 2, 3])
