@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.2.0"
 
 if TYPE_CHECKING:
-    from firebreak_gis.breaks import Budget, break_polygons, removal_order, select_breaks
+    from firebreak_gis.breaks import Budget, removal_order, select_breaks
     from firebreak_gis.construction.compartments import compartments_of
     from firebreak_gis.construction.delineations import delineate
+    from firebreak_gis.construction.pieces import break_polygons
     from firebreak_gis.construction.segments import segments_of
     from firebreak_gis.errors import Cancelled, FirebreakError
     from firebreak_gis.evaluation.assessment import assess
@@ -61,7 +62,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "artificial_forest": "evaluation.paper.artificial_forest",
     "assess": "evaluation.assessment",
-    "break_polygons": "breaks",
+    "break_polygons": "construction.pieces",
     "Budget": "breaks",
     "burn_curve": "simulation.budgets",
     "calibrate_scars": "evaluation.calibration",

@@ -304,6 +304,18 @@ class Shown:
         return card(type(self).__name__, self.facts())
 
 
+def percent(share: float) -> str:
+    """A share for people: to a tenth of a per cent, and below one per cent to two digits, since large maps burn little.
+
+    Examples
+    --------
+    >>> percent(0.961), percent(0.0), percent(0.000327)
+    ('96.1 %', '0.0 %', '0.033 %')
+    """
+    value = 100.0 * share
+    return f"{value:.2g} %" if 0.0 < value < 0.95 else f"{value:.1f} %"
+
+
 def one_line(name: str, facts: Mapping[str, object]) -> str:
     """Facts for a terminal.
 

@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from firebreak_gis.breaks import Budget, break_polygons, first_cut, removal_order, select_breaks
+from firebreak_gis.breaks import Budget, first_cut, removal_order, select_breaks
+from firebreak_gis.construction.pieces import break_polygons
 from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid, parse_crs
 from tests.twins import breaks as twin

@@ -98,7 +98,7 @@ def write_breaks(path: str | os.PathLike[str], pieces: gpd.GeoDataFrame, **optio
     path
         Target; the extension chooses the format, see `vectors.write_vector`.
     pieces
-        As `breaks.break_polygons` returns them.
+        As `pieces.break_polygons` returns them.
     **options
         `overwrite` and `forbid` of `vectors.write_vector`.
     """

@@ -15,6 +15,7 @@ import numpy as np
 from firebreak_gis import plugins
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.planning.weather import SpreadRequest
+from firebreak_gis.schema import percent
 from firebreak_gis.simulation.durations import Duration
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import FIELD, Hold
@@ -184,10 +185,10 @@ def headline(summary: Mapping[str, Any], judged: Judging) -> list[str]:
     )
     told = [f"{first} ({judged.short})."]
     if judged.reburnt:
-        bare, cut = (100 * summary["timeless"][f"burnt_share_{side}"] for side in sides)
+        ever, still = (percent(summary["timeless"][f"burnt_share_{side}"]) for side in sides)
         told.append(
-            f"Without a clock and with perfect breaks, as in the paper, {bare:.1f} % of the fuel burns without them, "
-            f"{cut:.1f} % with them."
+            f"Without a clock and with perfect breaks, as in the paper, {ever} of the fuel burns without them, "
+            f"{still} with them."
         )
     return told
 

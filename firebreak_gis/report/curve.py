@@ -75,7 +75,7 @@ def draw_curve(axes: Axes, result: xr.Dataset, *, budget: float | None = None, d
         axes.axvline(budget, color="black", lw=0.8, ls=":")
     axes.set_xlabel("share of burnable cells cut, $d_f$", fontsize=9)
     axes.set_ylabel("burnt share of the fuel, $R$", fontsize=9)
-    axes.set_ylim(0.0, min(1.02, max(0.05, 1.08 * float(result["max" if full else "mean"].max()))))
+    axes.set_ylim(0.0, min(1.02, 1.08 * float(result["max" if full else "mean"].max()) or 0.05))
     axes.set_xlim(float(d_f[0]), float(d_f[-1]) if d_f.size > 1 else float(d_f[0]) + 1e-3)
     axes.tick_params(labelsize=8)
     axes.grid(color="#dddddd", lw=0.5)

@@ -26,6 +26,7 @@ from firebreak_gis.report.figures import (
     thin,
     thinning,
 )
+from firebreak_gis.schema import percent
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -129,8 +130,8 @@ def _frequency(
     bar = axes.figure.colorbar(image, ax=axes, shrink=0.75, pad=0.02)
     bar.set_label("share of runs", fontsize=8)
     bar.ax.tick_params(labelsize=7)
-    mean, worst = (100 * cells / n_burnable for cells in (sizes.mean(), sizes.max()))
-    note = f"mean burnt {mean:.1f} % of the fuel, worst run {worst:.1f} %"
+    mean, worst = (percent(cells / n_burnable) for cells in (sizes.mean(), sizes.max()))
+    note = f"mean burnt {mean} of the fuel, worst run {worst}"
     axes.set_xlabel(note, fontsize=8)
 
 
@@ -150,11 +151,11 @@ def _lay(
     if lines is None:
         draw_breaks(axes, thin(breaks.to_numpy()), grid)
         count = int(np.count_nonzero(breaks.to_numpy()))
-        handle = Patch(color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {100 * count / n_burnable:.1f} %")
+        handle = Patch(color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {percent(count / n_burnable)}")
     else:
         draw_lines(axes, lines, grid)
-        share = 100 * lines["area_ha"].sum() / (n_burnable * grid.cell_area_ha)
-        told = f"fire breaks: {lines['length_m'].sum() / 1000:,.0f} km of lines, {share:.1f} %"
+        share = percent(lines["area_ha"].sum() / (n_burnable * grid.cell_area_ha))
+        told = f"fire breaks: {lines['length_m'].sum() / 1000:,.0f} km of lines, {share}"
         handle = Line2D([], [], color=BREAK_COLOUR, label=told)
     handles = [handle]
     if existing is not None:

@@ -63,7 +63,8 @@ def command(
     A share cuts exactly round(budget x cells that can be cut); ties are cut by row, then column. A ranking that was
     made for another budget is warned of.
     """
-    from firebreak_gis.breaks import Budget, break_polygons, select_breaks
+    from firebreak_gis.breaks import Budget, select_breaks
+    from firebreak_gis.construction.pieces import break_polygons
     from firebreak_gis.construction.writing import write_breaks
     from firebreak_gis.files import require_writable, together
     from firebreak_gis.manifest import provenance

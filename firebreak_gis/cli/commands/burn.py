@@ -16,6 +16,7 @@ from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.files.request import OutputRequest
 from firebreak_gis.planning.weather import SpreadRequest, WeatherRequest
+from firebreak_gis.schema import percent
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
@@ -195,7 +196,7 @@ def command(
             "max_ha": float(hectares.max()),
             "assumptions": assumptions,
         },
-        f"{cells.size} runs, mean burnt share {100 * share:.1f} %, mean fire {hectares.mean():.4g} ha; "
+        f"{cells.size} runs, mean burnt share {percent(share)}, mean fire {hectares.mean():.4g} ha; "
         f"{'; '.join(assumptions)}; written to {', '.join(files)}",
     )
 

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.breaks import break_polygons, select_breaks
+from firebreak_gis.breaks import select_breaks
+from firebreak_gis.construction.pieces import break_polygons
 from firebreak_gis.construction.segments import Segments, segments_of
 from firebreak_gis.planning.budgets import reachable
 from firebreak_gis.planning.design import design

@@ -16,6 +16,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from firebreak_gis.report.page.content import Curve, Page, Row
+from firebreak_gis.schema import percent
 
 _RIGHT = ' class="number"'
 #: Colours of lines in the style, from `--c0` on.
@@ -167,7 +168,7 @@ def _curve(curve: Curve) -> str:
     )
     rows = "".join(
         f"<tr><th scope='row'>{_text(name)}</th>"
-        + "".join(f"<td>{100 * y:.1f} %</td>" for y in ys[:: max(1, len(ys) // 8)])
+        + "".join(f"<td>{percent(y)}</td>" for y in ys[:: max(1, len(ys) // 8)])
         + "</tr>"
         for name, _, ys in curve.lines
     )

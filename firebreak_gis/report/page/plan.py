@@ -14,6 +14,7 @@ from firebreak_gis.report.figures import EXISTING_COLOUR, thin
 from firebreak_gis.report.page import pictures
 from firebreak_gis.report.page.content import Curve, Outlines, Page, Picture, Row
 from firebreak_gis.report.page.values import plain, provenance
+from firebreak_gis.schema import percent
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -96,12 +97,8 @@ def plan_title(account: Mapping[str, Any]) -> str:
 def _headline(summary: Mapping[str, Any]) -> tuple[str, ...]:
     if "burnt_share_without_breaks" not in summary:
         return ()
-    before, after = (100 * summary[f"burnt_share_{side}_breaks"] for side in ("without", "with"))
-    sentence = (
-        f"In the mean of the simulated fires {before:.1f} % of the fuel burns without the breaks and {after:.1f} % "
-        "with them."
-    )
-    return (sentence,)
+    before, after = (percent(summary[f"burnt_share_{side}_breaks"]) for side in ("without", "with"))
+    return (f"In the mean of the simulated fires {before} of the fuel burns without the breaks and {after} with them.",)
 
 
 def _figures(summary: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:
