@@ -153,7 +153,7 @@ class SitingRequest:
         if strength > 0.0 and planes.difficulty is None and (lines or self.siting is not None):
             planes = replace(
                 planes,
-                difficulty=difficulty(suitability(elevation, size, **known)[0], strength=strength),  # type: ignore[arg-type]
+                difficulty=difficulty(suitability(elevation, size, lines=lines, **known)[0], strength=strength),  # type: ignore[arg-type]
             )
             told.append(_told(strength, lines, chosen, sloping=elevation is not None and chosen.slope > 0.0))
         account: list[str] = []

@@ -134,8 +134,7 @@ def features(
     found: dict[str, np.ndarray] = {}
     if elevation is not None:
         height = np.asarray(elevation, dtype=np.float64)
-        found["ridge"] = crests(height, cell_size, chosen.scales, chosen.flank)
-        found["valley"] = crests(-height, cell_size, chosen.scales, chosen.flank)
+        found["ridge"], found["valley"] = crests(height, cell_size, chosen.scales, chosen.flank)
     for name, mask in (("road", roads), ("river", rivers)):
         if mask is not None:
             found[name] = np.asarray(mask, dtype=bool)
@@ -160,6 +159,7 @@ def suitability(
     roads: np.ndarray | None = None,
     rivers: np.ndarray | None = None,
     siting: Siting | None = None,
+    lines: Mapping[str, np.ndarray] | None = None,
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """How well a line can be held in each cell.
 
@@ -175,6 +175,8 @@ def suitability(
         (rows, cols) bool; rivers are all water that stops fire.
     siting
         Weights and reaches.
+    lines
+        What `features` finds of the same, where that is known already.
 
     Returns
     -------
@@ -200,7 +202,8 @@ def suitability(
     from firebreak_gis.kernels.terrain import horn_slope
 
     chosen = siting or Siting()
-    lines = features(elevation, cell_size, burnable=burnable, roads=roads, rivers=rivers, siting=chosen)
+    if lines is None:
+        lines = features(elevation, cell_size, burnable=burnable, roads=roads, rivers=rivers, siting=chosen)
     factors = {name: beside(mask, cell_size, chosen.reach).astype(np.float64) for name, mask in lines.items()}
     worth = np.zeros(np.shape(burnable))
     for name, plane in factors.items():
@@ -220,8 +223,10 @@ def suitability(
     return np.asarray(total), factors
 
 
-def crests(height: np.ndarray, cell_size: float, scales: tuple[float, ...], flank: float) -> np.ndarray:
-    """Crest lines of a terrain; those of its negative are the valley bottoms.
+def crests(
+    height: np.ndarray, cell_size: float, scales: tuple[float, ...], flank: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Crest lines of a terrain, and of its negative: the valley bottoms.
 
     A cell is on a crest of a scale if the smoothed terrain bends down most across a line through the cell, so much that
     one scale from the crest the slope is `flank`. Lines do not know the directions of the grid, and go on over saddles.
@@ -237,8 +242,8 @@ def crests(height: np.ndarray, cell_size: float, scales: tuple[float, ...], flan
 
     Returns
     -------
-    numpy.ndarray
-        (rows, cols) bool.
+    tuple
+        (rows, cols) bool each.
 
     Notes
     -----
@@ -246,10 +251,10 @@ def crests(height: np.ndarray, cell_size: float, scales: tuple[float, ...], flan
     """
     from scipy import ndimage
 
-    found = np.zeros(height.shape, bool)
+    found = np.zeros((2, *height.shape), bool)
     unknown = ~np.isfinite(height)
     if unknown.all():
-        return found
+        return found[0], found[1]
     known = height
     if unknown.any():
         nearest = ndimage.distance_transform_edt(unknown, return_distances=False, return_indices=True)
@@ -258,22 +263,22 @@ def crests(height: np.ndarray, cell_size: float, scales: tuple[float, ...], flan
         sigma = scale / cell_size
         if sigma < 1.0:
             continue
-        line = _crest(known, sigma, np.tan(np.radians(flank)) * cell_size)
+        lines = _crest(known, sigma, np.tan(np.radians(flank)) * cell_size)
         if unknown.any():
-            line &= distance(unknown, cell_size) > scale
-        found |= line
-    return found
+            lines &= distance(unknown, cell_size) > scale
+        found |= lines
+    return found[0], found[1]
 
 
 def _crest(height: np.ndarray, sigma: float, drop: float) -> np.ndarray:
-    """Crests of one scale in cells; `drop` is the fall over a cell at that distance from the crest.
+    """Crests, and those of the negative, of one scale in cells; `drop` is the fall over a cell at that distance.
 
     Found band by band of rows, on several threads, each with the rows around it as far as smoothing reaches.
     """
     rows, cols = height.shape
     margin = int(np.ceil(4.0 * sigma))
     step = max(_TOGETHER // cols, 4 * margin, 1)  # what is smoothed twice is a small part
-    found = np.empty(height.shape, bool)
+    found = np.empty((2, *height.shape), bool)
 
     def work(first: int) -> None:
         top, bottom = max(first - margin, 0), min(first + step + margin, rows)
@@ -285,14 +290,14 @@ def _crest(height: np.ndarray, sigma: float, drop: float) -> np.ndarray:
             inner = np.s_[margin:-margin, margin:-margin]
         else:
             inner = np.s_[first - top : first - top + step, 0:cols]
-        found[first : first + step] = _crest_of(part, sigma, drop, inner)
+        found[:, first : first + step] = _crest_of(part, sigma, drop, inner)
 
     run_pieces(work, range(0, rows, step), threads=None, progress=silent, message="crests")
     return found
 
 
 def _crest_of(height: np.ndarray, sigma: float, drop: float, inner: tuple[slice, slice]) -> np.ndarray:
-    """Crests in the inner part of a terrain."""
+    """Crests, and those of the negative, in the inner part of a terrain, (2, rows, cols) bool."""
     from scipy.ndimage import gaussian_filter1d
 
     # Along columns, then along rows, as `gaussian_filter` does; the first are made once.
@@ -304,14 +309,18 @@ def _crest_of(height: np.ndarray, sigma: float, drop: float, inner: tuple[slice,
 
     down, right = smooth(1, 0), smooth(0, 1)
     rows, cols, both = smooth(2, 0), smooth(0, 2), smooth(1, 1)
-    bend = 0.5 * (rows + cols) - np.hypot(0.5 * (cols - rows), both)
-    turn = 0.5 * np.arctan2(2.0 * both, cols - rows) + 0.5 * np.pi
-    across = np.cos(turn), np.sin(turn)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        away = -(right * across[0] + down * across[1]) / bend
-    # The crest passes through the cell if it lies within half a cell along the nearer axis.
-    passes = np.abs(away) * np.maximum(np.abs(across[0]), np.abs(across[1])) <= 0.5 + 1e-9
-    return np.asarray(passes & (-bend * sigma >= drop))
+    mean, half = 0.5 * (rows + cols), np.hypot(0.5 * (cols - rows), both)
+    found = []
+    for sign in (1.0, -1.0):  # the derivatives of the negative are the negatives
+        bend = sign * mean - half
+        turn = 0.5 * np.arctan2(sign * 2.0 * both, sign * (cols - rows)) + 0.5 * np.pi
+        across = np.cos(turn), np.sin(turn)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            away = -sign * (right * across[0] + down * across[1]) / bend
+        # The crest passes through the cell if it lies within half a cell along the nearer axis.
+        passes = np.abs(away) * np.maximum(np.abs(across[0]), np.abs(across[1])) <= 0.5 + 1e-9
+        found.append(passes & (-bend * sigma >= drop))
+    return np.stack(found)
 
 
 def fuel_edges(burnable: np.ndarray, *, patch: float = 1.0) -> np.ndarray:

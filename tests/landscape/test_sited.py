@@ -71,7 +71,7 @@ def test_shares_count_cells_within_one_of_a_line(network):
     sited = SitingRequest(0.0).on(StakePlanes(), network, ridge())
     cells = np.zeros(SHAPE, bool)
     cells[30, 30:41] = True
-    crest = np.flatnonzero(crests(ridge(), CELL, (200.0,), 4.5)[30])
+    crest = np.flatnonzero(crests(ridge(), CELL, (200.0,), 4.5)[0][30])
     beside = sited.lines["ridge"][30]
     assert beside[crest.min() - 1]
     assert beside[crest.max() + 1]
