@@ -14,7 +14,7 @@ import numpy as np
 
 from firebreak_gis.placement.choosing import Choice, all_hold
 from firebreak_gis.placement.parts import parts_of
-from firebreak_gis.placement.widening import around, walls
+from firebreak_gis.placement.widening import around, wall_costs, walls
 from firebreak_gis.progress import part
 from firebreak_gis.simulation.holding import stretches
 
@@ -244,7 +244,7 @@ def _parts(
     lines: Sequence[np.ndarray], network: SpreadNetwork, stakes: Stakes, trial: Trial, width: int, money: float
 ) -> tuple[list[np.ndarray], np.ndarray]:
     """Parts of the walls that a sum of money pays."""
-    _, costs = walls(lines, network, stakes, width)
+    costs = wall_costs(lines, network, stakes, width)
     count = int(np.searchsorted(np.cumsum(costs), money, side="right")) + 1
     block = stretches(network.shape, network.grid.cell_size, trial.fires.holding.length)
     return parts_of(lines[:count], network, stakes, width=width, stretch=block)

@@ -90,13 +90,28 @@ def walls(
     tuple
         The new cells of each wall (fuel that may be cut), and their cost.
     """
+    wall, until = _laid(lines, network, stakes, width)
+    return [wall[start:stop] for start, stop in pairwise([0, *until.tolist()])], _costs(wall, until, stakes)
+
+
+def wall_costs(lines: Sequence[np.ndarray], network: SpreadNetwork, stakes: Stakes, width: int) -> list[float]:
+    """Costs of the walls that `walls` returns."""
+    return _costs(*_laid(lines, network, stakes, width), stakes)
+
+
+def _laid(
+    lines: Sequence[np.ndarray], network: SpreadNetwork, stakes: Stakes, width: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """New cells of all walls, and where those of each end."""
     free = (network.burnable & ~stakes.protected).ravel()
     cells = np.concatenate([*lines, np.zeros(0, np.int64)])
     ends = np.cumsum(np.array([line.size for line in lines], np.int64))
-    wall, until = _widened(cells, ends, network.shape, width, network.boundary, free)
+    return _widened(cells, ends, network.shape, width, network.boundary, free)
+
+
+def _costs(wall: np.ndarray, until: np.ndarray, stakes: Stakes) -> list[float]:
     owner = np.repeat(np.arange(until.size), np.diff(until, prepend=0))
-    costs = np.bincount(owner, stakes.cost.ravel()[wall], minlength=until.size)
-    return [wall[start:stop] for start, stop in pairwise([0, *until.tolist()])], costs.tolist()
+    return np.bincount(owner, stakes.cost.ravel()[wall], minlength=until.size).tolist()  # type: ignore[no-any-return]
 
 
 def best_width(

@@ -277,10 +277,10 @@ def _in_sequence(
 ) -> list[np.ndarray]:
     """Lines of the walls in the order of building that suits a width; `chance` tells how often each holds."""
     from firebreak_gis.placement.dissection import sequence
-    from firebreak_gis.placement.widening import walls
+    from firebreak_gis.placement.widening import wall_costs
 
     lines = [cut.cells for cut in cuts]
-    _, costs = walls(lines, network, stakes, width)
+    costs = wall_costs(lines, network, stakes, width)
     saved = np.array([cut.saved for cut in cuts]) * (1.0 if chance is None else chance(lines))
     order = sequence(saved.tolist(), costs, [cut.parent for cut in cuts])
     return [lines[i] for i in order]
