@@ -250,7 +250,7 @@ def make_plan(
     seconds = USUAL
     if foreseen is not None:
         seconds = seconds_of(setting, rankings(request.design))
-        foreseen(Estimate(seconds, without="local search" if setting.searches else ""))
+        foreseen(Estimate(seconds, without=setting.uncounted))
     spans = dict(zip(seconds, in_proportion(list(seconds.values()), 0.02, 1.0), strict=True))
     design = designed(setting, part(report, *spans["ranking"], f"rank by {request.design.method}: "))
     judged = design.under(setting.judged)

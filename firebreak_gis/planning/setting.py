@@ -118,6 +118,14 @@ class Setting:
         return asked.refine or (lines.asked(asked) and fails)
 
     @property
+    def uncounted(self) -> str:
+        """What takes its time beside the steps whose time is foreseen, in words."""
+        method = plugins.load("ranking", self.request.design.method)
+        tries = self.judged.clock and plugins.takes_trial(method)
+        named = ["trying designs out"] * tries + ["local search"] * self.searches + ["writing"]
+        return " and ".join(filter(None, [", ".join(named[:-1]), named[-1]]))
+
+    @property
     def about(self) -> dict[str, Any]:
         """What `design.design` is told beside the network, the method and the stakes."""
         asked = self.request.design

@@ -13,7 +13,8 @@ from firebreak_gis.breaks import Budget
 from firebreak_gis.cli import firebreak
 from firebreak_gis.planning import timing
 from firebreak_gis.planning.pipeline import make_plan
-from firebreak_gis.planning.request import PlanRequest
+from firebreak_gis.planning.request import DesignRequest, PlanRequest
+from firebreak_gis.planning.setting import settle
 from firebreak_gis.planning.timing import (
     Estimate,
     by_pieces,
@@ -245,7 +246,6 @@ def test_words():
 
 def test_plans_do_not_depend_on_being_foreseen(make_landscape):
     from firebreak_gis.planning.pipeline import make_plan
-    from firebreak_gis.planning.request import DesignRequest, PlanRequest
     from firebreak_gis.stakes import StakePlanes
 
     landscape = make_landscape((210, 200), seed=3)
@@ -351,6 +351,14 @@ def test_plans_of_lines_are_foreseen_by_lines(sample, monkeypatch):
     assert not asked  # nobody looks
     make_plan(sample, PlanRequest(fires=FireRequest(n_runs=2)), StakePlanes(), foreseen=lambda estimate: None)
     assert asked
+    for more, left_out in (
+        ({}, "trying designs out, local search and writing"),
+        ({"method": "degree"}, "writing"),
+        ({"line_width": "cells"}, "trying designs out and writing"),
+    ):
+        request = PlanRequest(design=DesignRequest(**more), fires=FireRequest(n_runs=2))
+        told = settle(sample, request, StakePlanes(), threads=None).uncounted
+        assert told == left_out
     asked.clear()
     network = fb.spread_network(sample)
     ranking_seconds(network, "dissection", stakes=fb.Stakes(network), budget=Budget(0.1), lines=True)
