@@ -21,24 +21,13 @@ from firebreak_gis.simulation import engine
 from firebreak_gis.simulation import workers as clusters
 from tests.landscape.test_strips import CASES, asked, layers, spoiled
 from tests.placement.test_dissection import noise
+from tests.simulation.test_workers import _StopError, stopping
 
 
 @pytest.fixture(scope="module")
 def workers():
     with fb.cluster(2) as made, engine.using(None):
         yield made
-
-
-class _StopError(Exception):
-    pass
-
-
-def stopping(at):
-    def progress(share, message):
-        if share > at:
-            raise _StopError
-
-    return progress
 
 
 def laid(request, folder, progress=None):
