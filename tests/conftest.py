@@ -14,6 +14,7 @@ from firebreak_gis.grid import Grid, parse_crs
 from firebreak_gis.schema import annotate
 from tests.compiled import pytest_sessionstart  # noqa: F401
 from tests.no_skips import pytest_addoption, pytest_configure  # noqa: F401
+from tests.trials import all_fires_where_marked, fewer_fires  # noqa: F401
 
 ROOT = Path(__file__).resolve().parents[1]
 SAMPLE = ROOT / "sample_data"
