@@ -64,6 +64,8 @@ class Choice(Generic[T]):
 
     def chosen(self) -> T:
         """The design that loses least; the best two meet other fires as well, since of many the first looks better."""
+        if len(self._tried) == 1:
+            return self._tried[0][1]
         whole = [lost + self._loss(design, self.n_runs, 2) for lost, design in self._tried]
         return self._tried[int(np.argmin(whole))][1]
 

@@ -151,7 +151,7 @@ def _lay(
     if lines is None:
         draw_breaks(axes, thin(breaks.to_numpy()), grid)
         count = int(np.count_nonzero(breaks.to_numpy()))
-        handle = Patch(color=BREAK_COLOUR, label=f"fire breaks: {count} cells, {percent(count / n_burnable)}")
+        handle = Patch(color=BREAK_COLOUR, label=f"fire breaks: {count:,} cells, {percent(count / n_burnable)}")
     else:
         draw_lines(axes, lines, grid)
         share = percent(lines["area_ha"].sum() / (n_burnable * grid.cell_area_ha))

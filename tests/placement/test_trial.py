@@ -358,7 +358,7 @@ class _Told:
         self.losses_of, self.asked = losses, []
 
     def runs(self, work):
-        return 10 if work >= 2e6 else 0
+        return 10 if work >= 4 * 100 else 0
 
     def losses(self, cut, *, n_runs, first_run=0):
         self.asked.append((cut, n_runs, first_run))

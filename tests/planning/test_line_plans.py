@@ -397,6 +397,7 @@ def test_lines_for_the_worst_tenth_lose_no_more_in_it(landscape):
     assert made["worst-tenth"].goals.set_index(["loss", "of"])["planned_for"]["hectares", "worst-tenth"]
 
 
+@pytest.mark.all_fires
 def test_walls_that_fail_are_exchanged_for_others_that_save_more(make_landscape):
     """Less burns in fires that the search has not seen; what is built ends on what stands, and costs no more."""
     land = make_landscape((90, 95), seed=7, relief=4.0)
@@ -426,6 +427,7 @@ def test_walls_that_fail_are_exchanged_for_others_that_save_more(make_landscape)
     assert fresh.losses(rest, n_runs=1500).mean() > fresh.losses(alone, n_runs=1500).mean()
 
 
+@pytest.mark.all_fires
 def test_walls_on_hard_ground_must_save_more_to_be_built(make_landscape):
     """Half of the map is three times as hard: less is built there, for as much money, by either choice of walls."""
     land = make_landscape((90, 95), seed=7, relief=4.0)
