@@ -111,15 +111,18 @@ def ramp(name: str) -> Colormap:
     return LinearSegmentedColormap.from_list(name, colours).with_extremes(bad=(0, 0, 0, 0))
 
 
-def map_axes(axes: Axes, grid: Grid, title: str) -> None:
-    """Make `axes` a map of `grid`: equal scale, kilometres from the lower left corner, a north arrow."""
+def map_axes(axes: Axes, grid: Grid, title: str, *, scaled: bool = True) -> None:
+    """Make `axes` a map of `grid`: equal scale, kilometres from the lower left corner if scaled, a north arrow."""
     left, bottom, right, top = extent(grid)
     axes.set_title(title, fontsize=10, loc="left", fontweight="bold")
     axes.set_xlim(left, right)
     axes.set_ylim(bottom, top)
     axes.set_aspect("equal")
     axes.set_facecolor(NO_FUEL)
-    axes.tick_params(labelsize=7, length=2)
+    if scaled:
+        axes.tick_params(labelsize=7, length=2)
+    else:
+        axes.set(xticks=[], yticks=[])
     axes.annotate(
         "N",
         (0.965, 0.99),

@@ -78,13 +78,13 @@ def overview_figure(
     figure.suptitle(title, fontsize=13, fontweight="bold")
     caption_under(figure, caption, 200)
     axes = figure.subplots(2, 3)
-    # Six small maps: what their pictures do not show of a large one need not be drawn.
+    # Small maps: what their pictures do not show of a large one need not be drawn. The first has the scale of all.
     elevation = thin(landscape["elevation"].to_numpy())
     shade = hillshade(elevation.astype(float), grid.cell_size * thinning(grid.shape))
     _terrain(axes[0, 0], landscape, grid, shade)
-    map_axes(axes[0, 1], grid, "Vegetation type")
+    map_axes(axes[0, 1], grid, "Vegetation type", scaled=False)
     show_classes(axes[0, 1], thin(landscape["vegetation"].to_numpy()), grid, "vegetation")
-    map_axes(axes[0, 2], grid, "Vegetation density")
+    map_axes(axes[0, 2], grid, "Vegetation density", scaled=False)
     show_classes(axes[0, 2], thin(landscape["density"].to_numpy()), grid, "density")
     # One scale for both maps, no higher than needed, so that rare fires still show.
     top = max(0.1, float(np.ceil(10 * np.nanmax(before["burn_frequency"].to_numpy(), initial=0.0)) / 10))
@@ -120,7 +120,7 @@ def _frequency(
     title: str,
     top: float,
 ) -> None:
-    map_axes(axes, grid, title)
+    map_axes(axes, grid, title, scaled=False)
     frequency = thin(burns["burn_frequency"].to_numpy())
     sizes = burns["fire_size"].to_numpy()
     n_burnable = max(int(burns.attrs["n_burnable"]), 1)
