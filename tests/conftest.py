@@ -18,6 +18,11 @@ from tests.trials import all_fires_where_marked, fewer_fires  # noqa: F401
 
 ROOT = Path(__file__).resolve().parents[1]
 SAMPLE = ROOT / "sample_data"
+#: The smallest PNG.
+PIXEL = bytes.fromhex(
+    "89504e470d0a1a0a0000000d49484452000000010000000108000000003a7e9b55"
+    "0000000a49444154789c6360000000020001737501180000000049454e44ae426082"
+)
 
 Make = Callable[..., xr.Dataset]
 
@@ -82,3 +87,16 @@ def shared_data() -> Path:
     if not folder.is_dir():
         pytest.skip("the real landscapes are not here")
     return folder
+
+
+@pytest.fixture
+def no_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Figures are not drawn, but saved as one pixel: for tests that make many plans and look at no picture of them."""
+    from firebreak_gis.files import write_bytes
+    from firebreak_gis.report import figures
+
+    def save(figure: object, path: Path, *, overwrite: bool = False, dpi: int = 150) -> Path:
+        write_bytes(Path(path), PIXEL, overwrite=overwrite)
+        return Path(path)
+
+    monkeypatch.setattr(figures, "save", save)

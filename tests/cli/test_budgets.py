@@ -13,6 +13,8 @@ from click.testing import CliRunner
 from firebreak_gis.cli import firebreak
 from firebreak_gis.landscape import write_landscape
 
+pytestmark = pytest.mark.usefixtures("no_pictures")
+
 #: As words of a command line: the same budget told twice.
 SAME = {
     "share": (["--budget", "14%"], ["--budget", "0.14"]),

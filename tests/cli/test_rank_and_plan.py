@@ -21,6 +21,8 @@ from firebreak_gis.landscape import write_landscape
 from firebreak_gis.rasters import read_variable
 from firebreak_gis.vectors import write_vector
 
+pytestmark = pytest.mark.usefixtures("no_pictures")
+
 #: Methods of which another budget gives another ranking, on the landscape below.
 LAID_FOR_A_BUDGET = {"compartments", "splat", "stripes"}
 

@@ -12,6 +12,8 @@ from click.testing import CliRunner
 from firebreak_gis.cli import firebreak
 from tests.places import NORTH_WEST, UTM, relief, square, write
 
+pytestmark = pytest.mark.usefixtures("no_pictures")
+
 ROWS, COLS = 24, 31
 LEFT, TOP = NORTH_WEST
 

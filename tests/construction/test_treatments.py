@@ -22,6 +22,8 @@ from firebreak_gis.planning.designs.treated import TreatedCells, trial_loss
 from firebreak_gis.planning.treating import offers_of, treat
 from firebreak_gis.schema import VEGETATION
 
+pytestmark = pytest.mark.usefixtures("no_pictures")
+
 HEAD = "name,vegetation,residual,cost_ha,cost_per_degree,years,max_slope_deg\n"
 
 

@@ -25,6 +25,8 @@ from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.stakes import Stakes
 from tests.places import three, write
 
+pytestmark = pytest.mark.usefixtures("no_pictures")
+
 
 def two_islands():
     """A small island on which most fires start, and a large one on which a sixth do; fire takes all of its island."""

@@ -20,6 +20,8 @@ from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.holding import Hold
 from firebreak_gis.simulation.request import FireRequest
 
+pytestmark = pytest.mark.usefixtures("no_pictures")
+
 ROSE = "rose:NW=5x0.4,N=8x0.2"
 
 

@@ -10,6 +10,8 @@ from firebreak_gis import memory
 from firebreak_gis.planning.blocks import network_of
 from firebreak_gis.simulation import ground_fires, windows
 
+pytestmark = pytest.mark.usefixtures("no_pictures")
+
 
 @pytest.fixture(scope="module")
 def landscape():

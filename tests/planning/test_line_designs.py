@@ -25,6 +25,8 @@ from firebreak_gis.progress import silent
 from firebreak_gis.simulation.ground_fires import burn_on
 from firebreak_gis.stakes import Stakes
 
+pytestmark = pytest.mark.usefixtures("no_pictures")
+
 BUDGETS = (0.04, 0.08)
 
 

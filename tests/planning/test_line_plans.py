@@ -35,6 +35,8 @@ from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.stakes import Stakes
 
+pytestmark = pytest.mark.usefixtures("no_pictures")
+
 
 @pytest.fixture(scope="module")
 def landscape(make_landscape):

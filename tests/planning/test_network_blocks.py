@@ -20,6 +20,8 @@ from firebreak_gis.rasters.blocks import ROWS, rows_of
 from firebreak_gis.spread import spread_network
 from firebreak_gis.spread.raster import NetworkFile
 
+pytestmark = pytest.mark.usefixtures("no_pictures")
+
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, sample_paths):
