@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 
 import click
 
+from firebreak_gis import memory
 from firebreak_gis.cli import kinds
 from firebreak_gis.cli.session import Session
 from firebreak_gis.errors import InputError, ParameterError
@@ -70,6 +71,7 @@ def common(command: F) -> F:
     @click.option("-q", "--quiet", is_flag=True, help="Say only warnings and errors.")
     @functools.wraps(command)
     def wrapper(*args: Any, as_json: bool, progress_mode: str, verbose: bool, quiet: bool, **kwargs: Any) -> Any:
+        memory.return_large()
         session = Session(as_json, progress_mode, -1 if quiet else int(verbose))
         path, left_out = click.get_current_context().meta.get(_LEFT_OUT, ("", []))
         if left_out:

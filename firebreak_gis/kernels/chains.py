@@ -8,7 +8,7 @@ A chain between the shares m and 1 - m of a patch saves about 2 m (1 - m) of its
 Common arguments:
 
 row, col
-    (n,) int: where the cells of the patch lie.
+    (n,) int32: where the cells of the patch lie.
 capacity
     (n,) int32 >= 0: cost of cutting the cell; `flow.UNCUTTABLE` or more: never cut.
 """
@@ -21,6 +21,7 @@ import numpy as np
 
 from firebreak_gis.kernels.flow import UNCUTTABLE
 from firebreak_gis.kernels.policy import inlined, kernel
+from firebreak_gis.lattice import COL_STEP, ROW_STEP
 
 #: Steps of the cost of a cell in the middle of a patch.
 _STEPS = 256
@@ -35,8 +36,11 @@ _FAR = np.int64(1) << 62
 
 
 @kernel
-def can_chain(row: np.ndarray, col: np.ndarray, near: np.ndarray) -> bool:
-    """Whether all neighbours in a patch are linked, `near` as in `patches`, and it is no thin line across a map."""
+def can_chain(row: np.ndarray, col: np.ndarray, links: np.ndarray) -> bool:
+    """Whether all neighbours in a patch are linked, and it is no thin line across a map.
+
+    `links` is (n,) uint8: bit d set where the cell is linked to its neighbour in direction d.
+    """
     top, left = row.min() - 1, col.min() - 1
     high, wide = row.max() - top + 2, col.max() - left + 2
     if high * wide > min(_THINNEST * row.size, _LARGEST):
@@ -46,14 +50,9 @@ def can_chain(row: np.ndarray, col: np.ndarray, near: np.ndarray) -> bool:
         inside[row[v] - top, col[v] - left] = True
     for v in range(row.size):
         r, c = row[v] - top, col[v] - left
-        beside = -1
-        for i in range(-1, 2):
-            for j in range(-1, 2):
-                beside += inside[r + i, c + j]
         for d in range(8):
-            beside -= near[v, d] >= 0
-        if beside != 0:
-            return False
+            if inside[r + ROW_STEP[d], c + COL_STEP[d]] and (links[v] >> d) & 1 == 0:
+                return False
     return True
 
 
@@ -94,28 +93,28 @@ def best_chain(
     cut[:] = 0
     if loss <= 0.0:
         return best, direction
-    mass = 0.5 * (ignition / total_ignition + value / total_value)
     top, left = row.min() - 1, col.min() - 1
     high, wide = row.max() - top + 2, col.max() - left + 2
-    at = np.empty(n, np.int32)
     of = np.full(high * wide, -1, np.int32)
     for v in range(n):
-        at[v] = (row[v] - top) * wide + col[v] - left
-        of[at[v]] = v
+        of[_at(row[v], col[v], top, left, wide)] = v
     margin = _margin(high, wide)
     place = np.empty(of.size, np.int32)
     price, way = np.empty(of.size, np.int64), np.empty(of.size, np.int64)
     came = np.empty(of.size, np.int8)
     side = np.empty(n, np.uint8)
-    queue = np.empty(n, np.int32)
+    queue = np.empty(of.size, np.int32)
     least = _FAR
     for k in range(toward.shape[0]):
         _places(toward[k], high, wide, place)
-        before = np.zeros(place.max() + 2, np.float64)
+        last = place.max()
+        before = np.zeros(last + 2, np.float64)
+        first, last = last, 0
         for v in range(n):
-            before[place[at[v]] + 1] += mass[v]
+            there = place[_at(row[v], col[v], top, left, wide)]
+            first, last = min(first, there), max(last, there)
+            before[there + 1] += 0.5 * (ignition[v] / total_ignition + value[v] / total_value)
         before = np.cumsum(before)
-        first, last = place[at].min(), place[at].max()
         while before[first + 2] <= share:
             first += 1
         while before[last - 1] >= 1.0 - share:
@@ -130,17 +129,21 @@ def best_chain(
                 middle = 0.5 * (before[place[b]] + before[place[b] + 1])
                 price[b] = np.int64(np.rint(_STEPS * capacity[v] / (4.0 * middle * (1.0 - middle))))
         most = least if least == _FAR else np.int64(least * _SLACK)
-        end = _search(price, margin, wide, most, way, came)
+        end = _search(price, margin, wide, most, way, came, queue)
         if end < 0:
             continue
         least = min(least, way[end])
-        score = _judged(
-            end, came, wide, at, of, place, first, capacity, ignition, value, total_ignition, total_value, side, queue
-        )
+        score = _judged(end, came, wide, top, left, row, col, of, place, first, capacity, ignition, value, side, queue)
         if score > best:
             best, direction = score, k
             cut[:] = side
     return best, direction
+
+
+@inlined
+def _at(row: int, col: int, top: int, left: int, wide: int) -> int:
+    """Place of a cell in the rectangle."""
+    return (row - top) * wide + col - left
 
 
 @inlined
@@ -167,11 +170,13 @@ def _places(toward: np.ndarray, high: int, wide: int, place: np.ndarray) -> None
 
 
 @kernel
-def _search(price: np.ndarray, margin: np.ndarray, wide: int, most: int, way: np.ndarray, came: np.ndarray) -> int:
+def _search(
+    price: np.ndarray, margin: np.ndarray, wide: int, most: int, way: np.ndarray, came: np.ndarray, free: np.ndarray
+) -> int:
     """Find the cheapest way through a band (`price` >= 0) from its one end on the margin to its other; its last place.
 
     Sets `way` to what leads to a place costs and `came` to the last step there, -1 at the start; -1 if there is no way
-    of at most `most`. By Dijkstra's method; what costs nothing is done at once, without the queue.
+    of at most `most`. By Dijkstra's method; what costs nothing is done at once, without the queue, by way of `free`.
     """
     runs, start = 0, 0
     for i in range(margin.size):
@@ -181,7 +186,6 @@ def _search(price: np.ndarray, margin: np.ndarray, wide: int, most: int, way: np
     if runs != 2:  # the band is narrower than a cell
         return -1
     way[:] = _FAR
-    free = np.empty(price.size, np.int64)
     n_free = 0
     while price[margin[start]] >= 0:
         b = margin[start]
@@ -234,15 +238,16 @@ def _judged(
     end: int,
     came: np.ndarray,
     wide: int,
-    at: np.ndarray,
+    top: int,
+    left: int,
+    row: np.ndarray,
+    col: np.ndarray,
     of: np.ndarray,
     place: np.ndarray,
     first: int,
     capacity: np.ndarray,
     ignition: np.ndarray,
     value: np.ndarray,
-    total_ignition: float,
-    total_value: float,
     side: np.ndarray,
     queue: np.ndarray,
 ) -> float:
@@ -262,8 +267,8 @@ def _judged(
             break
         b -= 1 if d == 0 else wide if d == 1 else -1 if d == 2 else -wide
     head, tail = 0, 0
-    for v in range(at.size):
-        if place[at[v]] <= first:
+    for v in range(row.size):
+        if place[_at(row[v], col[v], top, left, wide)] <= first:
             side[v] = 2
             queue[tail] = v
             tail += 1
@@ -273,13 +278,15 @@ def _judged(
         head += 1
         own_ignition += ignition[v]
         own_value += value[v]
+        b = _at(row[v], col[v], top, left, wide)
         for i in range(-1, 2):
             for j in range(-1, 2):
-                u = of[at[v] + i * wide + j]
+                u = of[b + i * wide + j]
                 if u >= 0 and side[u] == 0:
                     side[u] = 2
                     queue[tail] = u
                     tail += 1
+    total_ignition, total_value = ignition.sum(), value.sum()
     loss = total_ignition * total_value
     rest = (total_ignition - own_ignition - cut_ignition) * (total_value - own_value - cut_value)
     return (loss - own_ignition * own_value - rest) / loss / max(cost, 1.0)

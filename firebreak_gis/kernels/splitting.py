@@ -91,7 +91,7 @@ def split_down(
     """
     n = cells.size
     near = patch_links(cells, links, rows, cols, row_step, col_step)
-    row, col = cells // cols, cells % cols
+    row, col = (cells // cols).astype(np.int32), (cells % cols).astype(np.int32)
     # Positions of the cells; those of a piece lie together.
     place = np.arange(n).astype(np.int32)
     local = np.empty(n, np.int32)
@@ -118,7 +118,7 @@ def split_down(
         lit, worth = ignition[own], value[own]
         cut = np.empty(m, np.uint8)
         row_here, col_here, share, at_risk = row[here], col[here], lit / ignitions, worth / values
-        if not periodic and can_chain(row_here, col_here, near_here):
+        if not periodic and can_chain(row_here, col_here, links[own]):
             best_chain(row_here, col_here, capacity[own], share, at_risk, toward, shares[0], cut)
         else:
             ring = 1 if periodic and _is_ring(row_here, col_here, rows, cols) else 0

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 REGIONS_FROM = BLOCK_CELLS
 #: Compartments with more cells are a piece of work alone.
 _LARGE = 20_000
+#: Parts in which large planes are handled, for the memory of what comes and goes.
+_PARTS = 16
 #: Cells in a piece of work of small compartments.
 _BATCH = 20_000
 
@@ -421,11 +423,13 @@ def lines_first(lines: Sequence[np.ndarray], stakes: Stakes, score: np.ndarray) 
         (rows, cols) float64.
     """
     flat = score.ravel()
-    cells = np.concatenate([*lines, np.zeros(0, np.int64)]).astype(np.int64)
+    cells = np.concatenate([*lines, np.zeros(0, np.int64)]).astype(np.int64, copy=False)
     _, first = np.unique(cells, return_index=True)
     cells = cells[np.sort(first)]
     values = np.unique(flat)
-    priority = np.searchsorted(values, flat).astype(np.float64)
+    priority = np.empty(flat.size)
+    for some, place in zip(*(np.array_split(plane, _PARTS) for plane in (flat, priority)), strict=True):
+        place[:] = np.searchsorted(values, some)
     priority[cells] = max(values.size - 1, 0) + np.arange(cells.size, 0, -1.0)
     priority[stakes.protected.ravel()] = -np.inf
     return priority.reshape(score.shape)

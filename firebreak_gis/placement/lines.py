@@ -24,7 +24,7 @@ from firebreak_gis.kernels.patches import patch_links
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.placement.dissection import batches, work_of
 from firebreak_gis.placement.edges import links
-from firebreak_gis.placement.patches import factor_for, ordered, pieces_of, sorted_along
+from firebreak_gis.placement.patches import coarse_price, factor_for, ordered, pieces_of, sorted_along
 from firebreak_gis.progress import part
 from firebreak_gis.threads import run_pieces
 
@@ -35,8 +35,6 @@ if TYPE_CHECKING:
 
 #: Costs of a link along an axis and across; where prices differ, of one of the median price.
 _EQUAL, _DIFFERENT = (17.0, 12.0), (170.0, 120.0)
-#: A cell that no line may pass counts in a block as so many of the dearest.
-_DEAR = 8.0
 #: The walls of compartments of more cells are sought in so many directions alone, those that are best for the blocks:
 #: on the sample and on Rhodes at 40 m in half the time, with 0.1 % more and 0.8 % more left of the expected loss.
 _COARSE_FROM, _TRIED = 1024, 2
@@ -128,8 +126,8 @@ class _Field:
 
         count, price = joined(np.ones(cells.size)), self.price[cells]
         barred = price < 0
-        dear = _DEAR * price.max(initial=0.0)
-        mean = np.where(joined(barred) == count, -1.0, joined(np.where(barred, dear, price)) / count)
+        told = coarse_price(price, barred, float(price.max(initial=0.0)))
+        mean = np.where(joined(barred) == count, -1.0, joined(told) / count)
         row, col = (joined(line) / count for line in np.divmod(cells, self.shape[1]))
         order = sorted_along(row, col, self.shape, self.angles, ring=False)
         masses, side = (joined(self.ignition[cells]), joined(self.value[cells])), np.ones(count.size, np.uint8)

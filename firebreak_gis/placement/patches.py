@@ -153,13 +153,11 @@ class Patches:
 
     def split(self, cells: np.ndarray) -> Split | None:
         """Split a connected patch where a wall saves most for its cost; None if none saves anything."""
-        near = self.near(cells)
-        row, col = np.divmod(cells, self.shape[1])
-        if not self.periodic and can_chain(row, col, near):
-            mask = self._chain(cells, row, col)
-        else:
-            mask = self._cheapest_cut(cells, near)
+        mask = None if self.periodic else self._chain(cells)
+        if mask is None:
+            mask = self._cheapest_cut(cells)
         wall = (mask == 1).astype(np.uint8)
+        near = self.near(cells)  # made here, not before: of a large map much memory
         thin(near, wall)
         return Split(cells[wall > 0], pieces_of(cells, near, wall)) if wall.any() else None
 
@@ -227,8 +225,14 @@ class Patches:
         """Ignition and value of some cells, shares of those of the whole."""
         return self.ignition[cells] / self.ignitions, self.value[cells] / self.values
 
-    def _chain(self, cells: np.ndarray, row: np.ndarray, col: np.ndarray) -> np.ndarray:
-        """Mark of the best chain, as `chains.best_chain` sets it; in a large patch in the direction best by squares."""
+    def _chain(self, cells: np.ndarray) -> np.ndarray | None:
+        """Mark of the best chain, as `chains.best_chain` sets it; None where a wall need be none.
+
+        In a large patch in the direction that is best by squares.
+        """
+        row, col = (cells // self.shape[1]).astype(np.int32), (cells % self.shape[1]).astype(np.int32)
+        if not can_chain(row, col, self.links[cells]):
+            return None
         toward, share = self.toward, float(self.shares[0])
         if cells.size > self.coarse_from:
             squares = self._squares(cells, row, col)
@@ -241,19 +245,22 @@ class Patches:
     def _squares(self, cells: np.ndarray, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, ...]:
         """Squares of a patch, about half as many as `coarse_from`, as `chains.best_chain` takes cells."""
         factor = factor_for(cells.size, self.coarse_from)
-        high, low = row // factor, col // factor
-        wide = int(low.max()) + 1
-        square, label = np.unique(high * wide + low, return_inverse=True)
+        wide = int(col.max()) // factor + 1
+        key = row // factor * wide + col // factor
+        there = np.zeros(int(key.max()) + 1, bool)
+        there[key] = True
+        square, label = np.flatnonzero(there), (np.cumsum(there, dtype=np.int32) - 1)[key]
         cost = _joined_costs(self.capacity[cells], label, factor)
         masses = (np.bincount(label, weights=mass) for mass in self.masses(cells))
-        return (*np.divmod(square, wide), cost, *masses)
+        return (*(each.astype(np.int32) for each in np.divmod(square, wide)), cost, *masses)
 
-    def _cheapest_cut(self, cells: np.ndarray, near: np.ndarray) -> np.ndarray:
+    def _cheapest_cut(self, cells: np.ndarray) -> np.ndarray:
         """Mark of the best minimum cut, as `bisection.best_cut` sets it."""
         mask = self._coarse_wall(cells) if cells.size > self.coarse_from else None
         if mask is None:
             mask = np.zeros(cells.size, np.uint8)
             order = ordered(cells, self.shape, self.angles, periodic=self.periodic)
+            near = self.near(cells)
             best_cut(near, self.capacity[cells], *self.masses(cells), order, self.heads, self.shares, mask)
         return mask
 
@@ -329,9 +336,9 @@ def factor_for(n_cells: int, coarse_from: int) -> int:
     return int(np.ceil(np.sqrt(2 * n_cells / coarse_from)))
 
 
-def coarse_price(capacity: np.ndarray, dearest: int) -> np.ndarray:
-    """What cells count in a block; one that may not be cut as some of the dearest."""
-    return np.where(capacity >= UNCUTTABLE, _DEAR * dearest, capacity)
+def coarse_price(price: np.ndarray, barred: np.ndarray, dearest: float) -> np.ndarray:
+    """What cells count in a block; those that may not be cut as some of the dearest each."""
+    return np.where(barred, _DEAR * dearest, price)
 
 
 def coarse_costs(price: np.ndarray, whole: np.ndarray, factor: int) -> np.ndarray:
@@ -343,7 +350,7 @@ def coarse_costs(price: np.ndarray, whole: np.ndarray, factor: int) -> np.ndarra
 def _joined_costs(capacity: np.ndarray, label: np.ndarray, factor: int) -> np.ndarray:
     """Cost of a wall across each of some groups of cells, int32."""
     firm = capacity >= UNCUTTABLE
-    price = coarse_price(capacity, int(capacity[~firm].max(initial=1)))
+    price = coarse_price(capacity, firm, int(capacity[~firm].max(initial=1)))
     return coarse_costs(np.bincount(label, weights=price), np.bincount(label, weights=~firm) == 0, factor)
 
 

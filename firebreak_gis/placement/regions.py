@@ -215,7 +215,7 @@ class Regions:
         label, capacity = self._label[cells], self._patches.capacity[cells]
         firm = capacity >= UNCUTTABLE
         ignition, value = self._patches.masses(cells)
-        price = coarse_price(capacity, self._dearest)
+        price = coarse_price(capacity, firm, self._dearest)
         each = (np.ones(cells.size), price, firm, ignition, value, *np.divmod(cells, self._shape[1]))
         return np.array([np.bincount(label, weights=plane, minlength=count) for plane in each])
 

@@ -50,9 +50,9 @@ if TYPE_CHECKING:
     Walls = tuple[list[Cut], np.ndarray]
 
 #: Bytes at the peak beside the network: a cell, a cell and thread; measured.
-MEMORY = (230, 20)
+MEMORY = (125, 5)
 #: The same on maps that are dissected by regions; measured on 10 million cells with two threads.
-LARGE_MEMORY = (125, 0)
+LARGE_MEMORY = (100, 0)
 
 #: Walls of equal cost are many, and the order of the cells decides between them: turned maps give plans that are
 #: equally good, not the same cell by cell.
@@ -183,8 +183,12 @@ def _walls_first(network: SpreadNetwork, params: Params, stakes: Stakes, width: 
     from firebreak_gis.placement.dissection import lines_first
     from firebreak_gis.placement.widening import walls
 
-    cuts, sizes = _cuts(network, stakes, params, width, progress)
-    cells, _ = walls(_in_sequence(cuts, network, stakes, width), network, stakes, width)
+    def found() -> tuple[list[np.ndarray], np.ndarray]:
+        """What else is known of each wall is not kept beyond this."""
+        cuts, sizes = _cuts(network, stakes, params, width, progress)
+        return walls(_in_sequence(cuts, network, stakes, width), network, stakes, width)[0], sizes
+
+    cells, sizes = found()
     return lines_first(cells, stakes, sizes)
 
 
