@@ -22,9 +22,10 @@ from firebreak_gis.kernels.drawing import channels, landings, lines_in, prices_o
 from firebreak_gis.kernels.linkflow import MOST, best_link_cut, link_costs
 from firebreak_gis.kernels.patches import patch_links
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
+from firebreak_gis.placement.coarsening import coarse_price, factor_for
 from firebreak_gis.placement.dissection import batches, work_of
 from firebreak_gis.placement.edges import links
-from firebreak_gis.placement.patches import coarse_price, factor_for, ordered, pieces_of, sorted_along
+from firebreak_gis.placement.patches import ordered, pieces_of, sorted_along
 from firebreak_gis.progress import part
 from firebreak_gis.threads import run_pieces
 

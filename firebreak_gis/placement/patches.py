@@ -26,6 +26,7 @@ from firebreak_gis.kernels.flow import UNCUTTABLE, cut_between
 from firebreak_gis.kernels.patches import patch_links, pieces_after, thin
 from firebreak_gis.kernels.splitting import split_down
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
+from firebreak_gis.placement.coarsening import factor_for, joined_costs
 from firebreak_gis.placement.edges import links, mean_lit
 from firebreak_gis.placement.widening import wall_cost
 
@@ -37,8 +38,6 @@ if TYPE_CHECKING:
 COARSE_FROM = 4096
 #: Steps from the coarse wall to which the band reaches, in sides of a block; tried in turn until both ends lie outside.
 _REACH = (1.0, 0.5, 0.0)
-#: A cell that may not be cut counts in a block as so many of the dearest.
-_DEAR = 8
 #: Largest sum of whole-number costs, so that no flow overflows.
 _COST_RANGE = 2**29
 #: Costs of which the least is so many steps, and the largest at most so many times the least, stay as they are.
@@ -250,7 +249,7 @@ class Patches:
         there = np.zeros(int(key.max()) + 1, bool)
         there[key] = True
         square, label = np.flatnonzero(there), (np.cumsum(there, dtype=np.int32) - 1)[key]
-        cost = _joined_costs(self.capacity[cells], label, factor)
+        cost = joined_costs(self.capacity[cells], label, factor)
         masses = (np.bincount(label, weights=mass) for mass in self.masses(cells))
         return (*(each.astype(np.int32) for each in np.divmod(square, wide)), cost, *masses)
 
@@ -270,7 +269,7 @@ class Patches:
         place = (self.links, *self.shape, _ROW_STEP, _COL_STEP)
         label, near = blocks(cells, *place, factor)
         ignition, value = self.masses(cells)
-        cost = _joined_costs(self.capacity[cells], label, factor)
+        cost = joined_costs(self.capacity[cells], label, factor)
         masses = (np.bincount(label, weights=ignition), np.bincount(label, weights=value))
         row, col = np.divmod(cells, self.shape[1])
         ring = self.periodic and _ring(row, col, self.shape)
@@ -329,29 +328,6 @@ class Patches:
         wall = np.zeros(cells.size, np.uint8)
         wall[inner] = mark == 1
         return wall
-
-
-def factor_for(n_cells: int, coarse_from: int) -> int:
-    """Side of the squares of a patch in whose blocks it is searched, about half as many as `coarse_from`."""
-    return int(np.ceil(np.sqrt(2 * n_cells / coarse_from)))
-
-
-def coarse_price(price: np.ndarray, barred: np.ndarray, dearest: float) -> np.ndarray:
-    """What cells count in a block; those that may not be cut as some of the dearest each."""
-    return np.where(barred, _DEAR * dearest, price)
-
-
-def coarse_costs(price: np.ndarray, whole: np.ndarray, factor: int) -> np.ndarray:
-    """Cost of a wall across blocks, int32, from what their cells count in all and whether none may be cut."""
-    across = price / factor
-    return np.where(whole, UNCUTTABLE, np.maximum(np.rint(across), across > 0)).astype(np.int32)
-
-
-def _joined_costs(capacity: np.ndarray, label: np.ndarray, factor: int) -> np.ndarray:
-    """Cost of a wall across each of some groups of cells, int32."""
-    firm = capacity >= UNCUTTABLE
-    price = coarse_price(capacity, firm, int(capacity[~firm].max(initial=1)))
-    return coarse_costs(np.bincount(label, weights=price), np.bincount(label, weights=~firm) == 0, factor)
 
 
 def pieces_of(cells: np.ndarray, near: np.ndarray, cut: np.ndarray | None = None) -> list[np.ndarray]:

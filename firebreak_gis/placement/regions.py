@@ -20,7 +20,8 @@ from firebreak_gis.kernels.flow import UNCUTTABLE
 from firebreak_gis.kernels.patches import thin
 from firebreak_gis.kernels.squares import UNNUMBERED, number_blocks
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
-from firebreak_gis.placement.patches import SIDES, coarse_costs, coarse_price, factor_for, sorted_along
+from firebreak_gis.placement.coarsening import coarse_costs, coarse_price, factor_for
+from firebreak_gis.placement.patches import SIDES, sorted_along
 
 if TYPE_CHECKING:
     from firebreak_gis.placement.patches import Patches
