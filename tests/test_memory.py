@@ -73,7 +73,7 @@ def test_dissection_by_regions_needs_what_was_measured():
     large = memory.bytes_for("rank", 3162**2, method="dissection", blocks=True, threads=2)
     assert 1 / 1.2 < large / 1.52e9 < 1.2
     per_cell = [memory.bytes_for("rank", n, method="dissection", threads=2) / n for n in (memory.BLOCK_CELLS, 10**8)]
-    assert per_cell[1] < 0.8 * per_cell[0]
+    assert per_cell[1] < 0.7 * per_cell[0]
 
 
 def test_plans_of_large_maps_need_what_was_measured():

@@ -35,8 +35,7 @@ def all_fires_where_marked(request: pytest.FixtureRequest, fewer_fires: pytest.M
     if request.node.get_closest_marker("all_fires") is None:
         yield
         return
-    fewer = [(module, name, getattr(module, name)) for module, name, _ in _FEWER]
     fewer_fires.undo()
     yield
-    for module, name, number in fewer:
+    for module, name, number in _FEWER:
         fewer_fires.setattr(module, name, number)

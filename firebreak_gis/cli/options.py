@@ -113,7 +113,7 @@ def fitting(work: str) -> Callable[[F], F]:
 
 
 def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -> None:
-    from firebreak_gis import memory, plugins
+    from firebreak_gis import plugins
     from firebreak_gis.rasters import read_header, variable_bands
 
     try:

@@ -133,7 +133,25 @@ def best_chain(
         if end < 0:
             continue
         least = min(least, way[end])
-        score = _judged(end, came, wide, top, left, row, col, of, place, first, capacity, ignition, value, side, queue)
+        score = _judged(
+            end,
+            came,
+            wide,
+            top,
+            left,
+            row,
+            col,
+            of,
+            place,
+            first,
+            capacity,
+            ignition,
+            value,
+            total_ignition,
+            total_value,
+            side,
+            queue,
+        )
         if score > best:
             best, direction = score, k
             cut[:] = side
@@ -248,6 +266,8 @@ def _judged(
     capacity: np.ndarray,
     ignition: np.ndarray,
     value: np.ndarray,
+    total_ignition: float,
+    total_value: float,
     side: np.ndarray,
     queue: np.ndarray,
 ) -> float:
@@ -286,7 +306,6 @@ def _judged(
                     side[u] = 2
                     queue[tail] = u
                     tail += 1
-    total_ignition, total_value = ignition.sum(), value.sum()
     loss = total_ignition * total_value
     rest = (total_ignition - own_ignition - cut_ignition) * (total_value - own_value - cut_value)
     return (loss - own_ignition * own_value - rest) / loss / max(cost, 1.0)

@@ -225,7 +225,7 @@ class Patches:
         return self.ignition[cells] / self.ignitions, self.value[cells] / self.values
 
     def _chain(self, cells: np.ndarray) -> np.ndarray | None:
-        """Mark of the best chain, as `chains.best_chain` sets it; None where a wall need be none.
+        """Mark of the best chain, as `chains.best_chain` sets it; None where a wall need not be one.
 
         In a large patch in the direction that is best by squares.
         """

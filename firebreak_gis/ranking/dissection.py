@@ -21,7 +21,7 @@ leak, thin walls that are widened where most is lost by way of them; where stret
 most passes. The layout that loses least counts.
 
 Cost: about 0.4 microseconds of processor time a cell and level of the tree: 7 s in all for 935,000 cells. Memory
-about 200 B a cell.
+about 125 B a cell beside the network.
 Source: vertex cuts by flow between the ends of the map, Schild, Sommer 2015, doi 10.1007/978-3-319-20086-6_22;
 warm starts, Hamann, Strasser 2018, doi 10.1145/3173045; order of construction, Horn 1972, doi 10.1137/0123021.
 """

@@ -358,13 +358,14 @@ class _Told:
         self.losses_of, self.asked = losses, []
 
     def runs(self, work):
-        return 10 if work >= 4 * 100 else 0
+        return 10 if work >= 2e6 else 0
 
     def losses(self, cut, *, n_runs, first_run=0):
         self.asked.append((cut, n_runs, first_run))
         return np.array([self.losses_of[cut][first_run > 0]])
 
 
+@pytest.mark.all_fires
 def test_designs_are_tried_in_turn_and_the_best_two_meet_other_fires():
     trial = _Told({"a": (9.0, 0), "b": (5.0, 7.0), "c": (6.0, 1.0), "d": (8.0, 0), "e": (1.0, 0)})
     choice = Choice(trial, 100, lambda design: design)
