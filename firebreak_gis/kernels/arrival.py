@@ -221,11 +221,20 @@ def burn_run(
     limit = starts.limit[run]
     awaited = walls.crews.size > 0
     clears = cleared.ground.shape[0] > 0
+    hold_key, holds, stretch, residual, probability = (
+        walls.keys[run],
+        walls.holds,
+        walls.stretch,
+        walls.residual,
+        walls.probability,
+    )
+    crossed, line_holds, line_stretch = walls.crossed, walls.line_holds, walls.line_stretch
     expected, ember_key = embers.mean, embers.keys[run]
     walled, throws, periodic = near.size > 0, expected.size > 0, positions.size > 0
     stride = np.uint64(seconds.size // (ends.size + 1))
     a_cell = _EIGHT if stride > _EIGHT else _ZERO  # times of an edge from one cell to the next
     below = offsets[0, 4]
+    last, steady = np.uint64(arrival.size - 1), ends.size == 0
     # What the cell at hand may light, and when.
     targets = np.empty(8 + flying.MOST, np.uint64)
     times = np.empty(8 + flying.MOST, np.uint64)
@@ -280,19 +289,41 @@ def burn_run(
             t = arrival[cell]
             order[size] = np.uint32(cell)
             size += _ONE
-            limits = top[cell]
-            here = number(steps, cell)
-            digits = word(key, here * np.uint64(4))  # as in `draws.open_edges`
-            opened = bytes_below(digits, limits)
-            undecided = bytes_equal(digits, limits)
-            if undecided != _ZERO:
-                opened |= later_digits(key, here, cell, limits, thresholds.rest, undecided)
             position = np.uint8(0)
             if periodic:
                 position = positions[cell]
+            # Edges by which fire could come sooner than it does; all at once, as most lead to what has burnt.
+            sooner = _ZERO
+            for k in range(8):
+                beside = min(cell + offsets[position, k], last)
+                comes = t + (np.uint64(seconds[a_cell * cell + np.uint64(k)]) if steady else _ONE)
+                sooner |= np.uint64(comes <= min(arrival[beside], limit)) << np.uint64(8 * k + 7)
+            here = number(steps, cell)
+            limits = top[cell]
+            digits = word(key, here * np.uint64(4))  # as in `draws.open_edges`
+            opened = bytes_below(digits, limits) & sooner
+            undecided = bytes_equal(digits, limits) & sooner
+            if undecided != _ZERO:
+                opened |= later_digits(key, here, cell, limits, thresholds.rest, undecided)
             passing = opened
-            if walled and near[cell]:
-                passing = held_back(walls, run, key, steps, position, cell, opened)
+            if walled and near[cell] and opened != _ZERO:
+                passing = held_back(
+                    hold_key,
+                    holds,
+                    stretch,
+                    residual,
+                    probability,
+                    crossed,
+                    line_holds,
+                    line_stretch,
+                    key,
+                    here,
+                    digits,
+                    offsets,
+                    position,
+                    cell,
+                    opened,
+                )
                 if not awaited:
                     opened = passing
             while step < ends.size and t >= ends[step]:

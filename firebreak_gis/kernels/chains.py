@@ -15,8 +15,6 @@ capacity
 
 from __future__ import annotations
 
-import heapq
-
 import numpy as np
 
 from firebreak_gis.kernels.flow import UNCUTTABLE
@@ -33,6 +31,7 @@ _SLACK = 1.1
 _BITS, _THINNEST = 24, 32
 _LARGEST = 1 << _BITS
 _FAR = np.int64(1) << 62
+_ZERO, _ONE = np.uint64(0), np.uint64(1)
 
 
 @kernel
@@ -187,6 +186,33 @@ def _places(toward: np.ndarray, high: int, wide: int, place: np.ndarray) -> None
             place[r * wide + c] = np.int32(np.floor(_PARTS * (toward[0] * r + toward[1] * c - lowest) + 1e-6))
 
 
+@inlined
+def _rise(heap: np.ndarray, k: np.uint64, entry: int) -> None:
+    """Let an entry of a heap, the least of which comes first, rise from place k."""
+    while k > _ZERO:
+        above = heap[(k - _ONE) >> _ONE]
+        if above <= entry:
+            break
+        heap[k] = above
+        k = (k - _ONE) >> _ONE
+    heap[k] = entry
+
+
+@inlined
+def _sink(heap: np.ndarray, size: np.uint64, entry: int) -> None:
+    """Put an entry in place of the first of a heap that then has `size`: at the bottom, whence it rises."""
+    k, below = _ZERO, _ONE
+    while below + _ONE < size:
+        one, other = heap[below], heap[below + _ONE]
+        heap[k] = min(one, other)
+        k = below + np.uint64(other < one)
+        below = k + k + _ONE
+    if below < size:
+        heap[k] = heap[below]
+        k = below
+    _rise(heap, k, entry)
+
+
 @kernel
 def _search(
     price: np.ndarray, margin: np.ndarray, wide: int, most: int, way: np.ndarray, came: np.ndarray, free: np.ndarray
@@ -194,7 +220,8 @@ def _search(
     """Find the cheapest way through a band (`price` >= 0) from its one end on the margin to its other; its last place.
 
     Sets `way` to what leads to a place costs and `came` to the last step there, -1 at the start; -1 if there is no way
-    of at most `most`. By Dijkstra's method; what costs nothing is done at once, without the queue, by way of `free`.
+    of at most `most`. By Dijkstra's method, with a heap in an array, as lists of numba count their holders at each
+    step; what costs nothing is done at once, without the queue, by way of `free`.
     """
     runs, start = 0, 0
     for i in range(margin.size):
@@ -214,19 +241,22 @@ def _search(
     goal = np.zeros(price.size, np.bool_)
     for b in margin:
         goal[b] = price[b] >= 0 and way[b] > 0
-    heap = [np.int64(0)]
-    heap.pop()
-    while n_free > 0 or len(heap) > 0:
+    heap, waiting = np.empty(1024, np.int64), _ZERO
+    while n_free > 0 or waiting > _ZERO:
         if n_free > 0:
             n_free -= 1
             b = free[n_free]
         else:
-            entry = heapq.heappop(heap)
+            entry = heap[0]
+            waiting -= _ONE
+            _sink(heap, waiting, heap[waiting])
             b = entry & (_LARGEST - 1)
             if way[b] < entry >> _BITS:
                 continue
         if goal[b]:
             return b
+        if waiting + np.uint64(4) > np.uint64(heap.size):
+            heap = np.concatenate((heap, np.empty_like(heap)))
         row, col = b // wide, b % wide
         for d in range(4):
             u = -1
@@ -247,7 +277,8 @@ def _search(
                     free[n_free] = u
                     n_free += 1
                 else:
-                    heapq.heappush(heap, (there << _BITS) | u)
+                    _rise(heap, waiting, (there << _BITS) | u)
+                    waiting += _ONE
     return -1
 
 

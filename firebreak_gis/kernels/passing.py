@@ -54,22 +54,23 @@ def let_through(
     float
         Value lost, summed over the runs.
     """
+    order, parent, arrival = space.order, space.parent, space.arrival  # by plain names, see `arrival.burn_run`
     lost = 0.0
     for k in range(runs.size):
         run = runs[k]
         size = burn_run(thresholds, keys[run], steps, clock, starts, walls, cleared, embers, space, run)
-        if comes_to(rim, space.order, size):
+        if comes_to(rim, order, size):
             reached[run] = True
             for i in range(size):
-                space.arrival[space.order[i]] = UNSEEN
+                arrival[order[i]] = UNSEEN
             continue
         for i in range(size):
-            cell = space.order[size - _ONE - np.uint64(i)]
+            cell = order[size - _ONE - np.uint64(i)]
             whole = hanging[cell] + value[cell]
             hanging[cell] = 0.0
             through[cell] += whole
             lost += value[cell]
-            if space.parent[cell] != cell:
-                hanging[space.parent[cell]] += whole
-            space.arrival[cell] = UNSEEN
+            if parent[cell] != cell:
+                hanging[parent[cell]] += whole
+            arrival[cell] = UNSEEN
     return lost

@@ -132,11 +132,13 @@ def burn_runs(
     spared
         (n_runs,) int64, set to the sum over the burnt cells.
     """
-    n_cells = thresholds.top.shape[0]
+    # Arrays by plain names: numba counts their holders at each look-up in a tuple.
+    top, rest, offsets, positions = thresholds.top, thresholds.rest, steps.offsets, steps.position
+    n_cells = top.shape[0]
     stamp = np.zeros(n_cells, np.uint8)
     queue = np.empty(n_cells + 1, np.uint32)
-    periodic = steps.position.size > 0
-    below = steps.offsets[0, 4]
+    periodic = positions.size > 0
+    below = offsets[0, 4]
     mark = np.uint8(0)
     for run in range(first, last):
         if mark == np.uint8(255):
@@ -154,20 +156,20 @@ def burn_runs(
         while head < tail:
             cell = np.uint64(queue[head])
             coming = np.uint64(queue[min(head + _AHEAD, tail)])
-            prefetch(thresholds.top, coming)
+            prefetch(top, coming)
             prefetch(counts, coming)
             prefetch(stamp, coming - below)
             prefetch(stamp, coming + below)
             head += _ONE
             counts[cell] += np.uint32(1)
-            opened = open_edges(key, cell, thresholds.top[cell], thresholds.rest)
+            opened = open_edges(key, cell, top[cell], rest)
             position = np.uint8(0)
             if periodic:
-                position = steps.position[cell]
+                position = positions[cell]
             # No branch in this loop: a closed edge leads back to the cell itself, which is stamped.
             for d in range(8):
                 is_open = (opened >> np.uint64(8 * d + 7)) & _ONE
-                target = cell + steps.offsets[position, d] * is_open
+                target = cell + offsets[position, d] * is_open
                 queue[tail] = np.uint32(target)
                 tail += np.uint64(stamp[target] != mark)
                 stamp[target] = mark
@@ -208,10 +210,11 @@ def burn_curve(
     burnt_at
         (n_runs, n_levels) int64; row `run` is set to the cells burnt at each cut level.
     """
-    n_cells = thresholds.top.shape[0]
+    top, rest, offsets, positions = thresholds.top, thresholds.rest, steps.offsets, steps.position
+    n_cells = top.shape[0]
     n_levels = burnt_at.shape[1]
-    periodic = steps.position.size > 0
-    below = steps.offsets[0, 4]
+    periodic = positions.size > 0
+    below = offsets[0, 4]
     nobody = np.uint32(0xFFFFFFFF)
     # Level + 1 while the cell has not caught fire, else 0.
     standing = (levels + 1).astype(np.uint32)
@@ -240,19 +243,19 @@ def burn_curve(
             while head < tail:
                 cell = np.uint64(queue[head])
                 coming = np.uint64(queue[min(head + _AHEAD, tail)])
-                prefetch(thresholds.top, coming)
+                prefetch(top, coming)
                 prefetch(standing, coming - below)
                 prefetch(standing, coming)
                 prefetch(standing, coming + below)
                 prefetch(later, coming)
                 head += _ONE
-                opened = open_edges(key, cell, thresholds.top[cell], thresholds.rest)
+                opened = open_edges(key, cell, top[cell], rest)
                 position = np.uint8(0)
                 if periodic:
-                    position = steps.position[cell]
+                    position = positions[cell]
                 for d in range(8):
                     is_open = (opened >> np.uint64(8 * d + 7)) & _ONE
-                    target = cell + steps.offsets[position, d] * is_open
+                    target = cell + offsets[position, d] * is_open
                     level = np.uint64(standing[target])
                     standing[target] = np.uint32(0)
                     queue[tail] = np.uint32(target)

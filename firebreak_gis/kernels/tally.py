@@ -11,7 +11,7 @@ import numpy as np
 
 from firebreak_gis.kernels.percolation import Steps
 from firebreak_gis.kernels.policy import inlined, kernel
-from firebreak_gis.kernels.walls import Cleared, Walls, spared
+from firebreak_gis.kernels.walls import Cleared, Walls, spared, spared_of
 
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
@@ -132,40 +132,50 @@ def add_run(
         return
     burnt = np.int64(size) * tally.unit
     first, none = cleared.first, np.uint32(cleared.ground.shape[0])  # a look that spares most calls
+    # Arrays by plain names in loops over what burns, see `arrival.burn_run`.
+    counts = tally.counts
     for i in range(size):
-        tally.counts[order[i]] += np.uint32(1)
-    if tally.unit > 1:
-        for i in range(size):
-            if first[order[i]] < none:
-                burnt -= spared(walls, cleared, run, np.uint64(order[i]), arrival[order[i]])
+        counts[order[i]] += np.uint32(1)
+    key, ground, residual, crews = walls.keys[run], cleared.ground, walls.residual, walls.crews
+    value, valued, clears = tally.value, tally.value.size > 0, none > 0
+    alike, awaited = residual.size == 1, crews.size > 0
+    total = 0.0
+    for i in range(size):
+        cell = order[i]
+        share = 1.0
+        if clears and first[cell] < none:
+            keeps = residual[0 if alike else cell]
+            if awaited and arrival[cell] < crews[cell]:
+                keeps = 1.0
+            left = spared_of(key, first[cell], ground, np.uint64(cell), keeps)
+            burnt -= left
+            share -= left / tally.unit
+        if valued:
+            total += value[cell] * share
     tally.sizes[run] = burnt
-    if tally.value.size > 0:
-        total = 0.0
-        for i in range(size):
-            share = 1.0
-            if tally.unit > 1 and first[order[i]] < none:
-                share -= spared(walls, cleared, run, np.uint64(order[i]), arrival[order[i]]) / tally.unit
-            total += tally.value[order[i]] * share
+    if valued:
         tally.lost[run] = total
     if tally.by_time.size > 0 or tally.growth.size > 0:
         _by_time(tally, run, order, size, arrival, walls, cleared)
     if tally.by_size.size > 0:
-        k = np.searchsorted(tally.classes, burnt)
+        k, by_size = np.searchsorted(tally.classes, burnt), tally.by_size
         for i in range(size):
-            tally.by_size[order[i], k] += np.uint32(1)
+            by_size[order[i], k] += np.uint32(1)
     if tally.onwards.size > 0:
+        below, onwards = tally.hanging, tally.onwards
         for i in range(size):
             cell = order[size - _ONE - np.uint64(i)]
-            hanging = tally.hanging[cell]
-            tally.hanging[cell] = np.uint32(0)
-            tally.onwards[cell] += np.uint64(hanging)
+            hanging = below[cell]
+            below[cell] = np.uint32(0)
+            onwards[cell] += np.uint64(hanging)
             if parent[cell] != cell:
-                tally.hanging[parent[cell]] += hanging + np.uint32(1)
+                below[parent[cell]] += hanging + np.uint32(1)
     if tally.above.size > 0:
         _by_intensity(tally, order, size, arrival, parent, steps, strongest)
     if tally.arrivals.size > 0:
+        arrivals = tally.arrivals
         for i in range(size):
-            tally.arrivals[run, order[i]] = np.uint32(min(arrival[order[i]], np.uint64(_NOT - np.uint32(1))))
+            arrivals[run, order[i]] = np.uint32(min(arrival[order[i]], np.uint64(_NOT - np.uint32(1))))
 
 
 @kernel
@@ -178,8 +188,9 @@ def _by_time(
     walls: Walls,
     cleared: Cleared,
 ) -> None:
-    edges = tally.edges
+    edges, by_time, growth, clears = tally.edges, tally.by_time, tally.growth, tally.unit > 1
     first, none = cleared.first, np.uint32(cleared.ground.shape[0])
+    mapped, grows = by_time.size > 0, growth.size > 0
     k = 0
     for i in range(size):
         cell = order[i]
@@ -190,15 +201,15 @@ def _by_time(
         while k > 0 and edges[k - 1] >= t:
             k -= 1
         if k < edges.size:
-            if tally.by_time.size > 0:
-                tally.by_time[cell, k] += np.uint32(1)
-            if tally.growth.size > 0:
-                tally.growth[run, k] += tally.unit
-                if tally.unit > 1 and first[cell] < none:
-                    tally.growth[run, k] -= spared(walls, cleared, run, np.uint64(cell), t)
-    if tally.growth.size > 0:
+            if mapped:
+                by_time[cell, k] += np.uint32(1)
+            if grows:
+                growth[run, k] += tally.unit
+                if clears and first[cell] < none:
+                    growth[run, k] -= spared(walls, cleared, run, np.uint64(cell), t)
+    if grows:
         for k in range(1, edges.size):
-            tally.growth[run, k] += tally.growth[run, k - 1]
+            growth[run, k] += growth[run, k - 1]
 
 
 @kernel
@@ -215,16 +226,18 @@ def _by_intensity(
 
     Where no neighbour lit the cell, the strongest fire that the cell can have is taken.
     """
+    offsets, positions, heat, lengths = steps.offsets, steps.position, tally.heat, tally.lengths
+    limits, above = tally.intensities, tally.above
     for i in range(size):
         cell = np.uint64(order[i])
         source = np.uint64(parent[cell])
         intensity = np.float64(strongest[cell])
         position = np.uint8(0)
-        if steps.position.size > 0:
-            position = steps.position[source]
+        if positions.size > 0:
+            position = positions[source]
         for d in range(8):
-            if source != cell and source + steps.offsets[position, d] == cell:
-                intensity = tally.heat[cell] * tally.lengths[d] / np.float64(arrival[cell] - arrival[source])
-        for k in range(tally.intensities.size):
-            if intensity > tally.intensities[k]:
-                tally.above[cell, k] += np.uint32(1)
+            if source != cell and source + offsets[position, d] == cell:
+                intensity = heat[cell] * lengths[d] / np.float64(arrival[cell] - arrival[source])
+        for k in range(limits.size):
+            if intensity > limits[k]:
+                above[cell, k] += np.uint32(1)

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from firebreak_gis.kernels.bits import lowest
 from firebreak_gis.kernels.draws import below, digits_of, edge_draw, word
-from firebreak_gis.kernels.percolation import Steps, number
 from firebreak_gis.kernels.policy import inlined, kernel
 
 _ONE = np.uint64(1)
@@ -74,14 +74,18 @@ class Cleared(NamedTuple):
 
 
 @inlined
+def holding(key: np.uint64, stretch: np.uint32, threshold: np.uint32) -> bool:
+    """Whether a stretch holds in the run of `key`."""
+    result = False
+    if threshold != np.uint32(0):
+        result = below(word(key, np.uint64(stretch)) >> np.uint64(32), np.uint64(threshold))
+    return result
+
+
+@inlined
 def stands(walls: Walls, run: int, cell: np.uint64) -> bool:
     """Whether a cell is treated and holds in the run."""
-    threshold = np.uint64(walls.holds[cell])
-    result = False
-    if threshold != np.uint64(0):
-        draw = word(walls.keys[run], np.uint64(walls.stretch[cell])) >> np.uint64(32)
-        result = below(draw, threshold)
-    return result
+    return holding(walls.keys[run], walls.stretch[cell], walls.holds[cell])
 
 
 @inlined
@@ -96,8 +100,7 @@ def parted(walls: Walls, run: int, cell: np.uint64, target: np.uint64, d: int) -
     result = False
     if walls.crossed.size > 0 and (walls.crossed[cell] >> np.uint8(d)) & np.uint8(1):
         first = min(cell, target)
-        draw = word(walls.keys[run], np.uint64(walls.line_stretch[first])) >> np.uint64(32)
-        result = below(draw, np.uint64(walls.line_holds[first]))
+        result = holding(walls.keys[run], walls.line_stretch[first], walls.line_holds[first])
     return result
 
 
@@ -107,23 +110,28 @@ def kept(walls: Walls, cell: np.uint64) -> float:
     return walls.residual[cell if walls.residual.size > 1 else np.uint64(0)]
 
 
+@inlined
+def spared_of(key: np.uint64, k: np.uint32, ground: np.ndarray, cell: np.uint64, keeps: float) -> int:
+    """See `spared`; `k` is the first of `ground` in the cell, `keeps` what lines leave of the spread, 1 without crews.
+
+    By plain values, for loops over what burns: numba counts the holders of an array wherever it goes.
+    """
+    result = 0
+    while k < ground.shape[0] and ground[k, 0] == cell:
+        if holding(key, ground[k, 3], ground[k, 2]):
+            result += np.int64(ground[k, 1])
+        k += np.uint32(1)
+    return np.int64(np.floor(min(result, GROUND) * (1.0 - keeps)))
+
+
 @kernel
 def spared(walls: Walls, cleared: Cleared, run: int, cell: np.uint64, t: np.uint64) -> int:
     """Ground that does not burn of a cell to which fire comes at t [s], of `GROUND`: what lines clear that hold.
 
     Of the ground under lines that leak, as much burns as they leave of the spread.
     """
-    result = 0
-    k = np.uint64(cleared.first[cell])
-    while k < cleared.ground.shape[0] and cleared.ground[k, 0] == cell:
-        draw = word(walls.keys[run], np.uint64(cleared.ground[k, 3])) >> np.uint64(32)
-        if below(draw, np.uint64(cleared.ground[k, 2])):
-            result += np.int64(cleared.ground[k, 1])
-        k += _ONE
-    if result > 0:
-        result = min(result, GROUND) if manned(walls, cell, t) else 0
-        result = np.int64(np.floor(result * (1.0 - kept(walls, cell))))
-    return result
+    keeps = kept(walls, cell) if manned(walls, cell, t) else 1.0
+    return spared_of(walls.keys[run], cleared.first[cell], cleared.ground, cell, keeps)
 
 
 @inlined
@@ -153,26 +161,49 @@ def off_ground(keys: np.ndarray, starts: np.ndarray, cells: np.ndarray, ground: 
     return out
 
 
-@kernel
+@inlined
 def held_back(
-    walls: Walls, run: int, key: np.uint64, steps: Steps, position: np.uint8, cell: np.uint64, opened: np.uint64
+    hold_key: np.uint64,
+    holds: np.ndarray,
+    stretch: np.ndarray,
+    residual: np.ndarray,
+    probability: np.ndarray,
+    crossed: np.ndarray,
+    line_holds: np.ndarray,
+    line_stretch: np.ndarray,
+    key: np.uint64,
+    here: np.uint64,
+    digits: np.uint64,
+    offsets: np.ndarray,
+    position: np.uint8,
+    cell: np.uint64,
+    opened: np.uint64,
 ) -> np.uint64:
     """What is left of the open edges of a cell once the breaks beside it have done their work.
 
     The probability of an edge into a cell that holds, or across a line that does, is multiplied by what the cell keeps;
-    the draw stays the same. Crews are taken to be there.
+    the draw stays the same. Crews are taken to be there. Arrays by plain names, see `arrival.burn_run`; `here` is the
+    number of the cell on the map, `digits` are the first eight of the draws of each of its edges.
     """
-    for d in range(8):
-        bit = np.uint64(8 * d + 7)
-        if not (opened >> bit) & _ONE:
-            continue
-        target = cell + steps.offsets[position, d]
-        if stands(walls, run, target) or parted(walls, run, cell, target, d):
+    left = opened
+    across = crossed[cell] if crossed.size > 0 else np.uint8(0)
+    while opened != np.uint64(0):
+        bit = lowest(opened)
+        opened &= opened - _ONE
+        d = bit >> np.uint64(3)
+        target = cell + offsets[position, d]
+        held = holding(hold_key, stretch[target], holds[target])
+        if not held and (across >> np.uint8(d)) & np.uint8(1):
+            first = min(cell, target)
+            held = holding(hold_key, line_stretch[first], line_holds[first])
+        if held:
             passes = False
-            share = np.float32(kept(walls, target))
+            share = np.float32(residual[target if residual.size > 1 else np.uint64(0)])
             if share > np.float32(0):
-                left = np.float32(walls.probability[d, cell] * share)
-                passes = below(edge_draw(key, number(steps, cell), np.uint64(d)), digits_of(np.float64(left)))
+                chance = np.float32(probability[d, cell] * share)
+                threshold = digits_of(np.float64(chance))
+                most, draw = threshold >> np.uint64(24), (digits >> (bit - np.uint64(7))) & np.uint64(255)
+                passes = draw < most or (draw == most and below(edge_draw(key, here, d), threshold))
             if not passes:
-                opened &= ~(_ONE << bit)
-    return opened
+                left &= ~(_ONE << bit)
+    return left

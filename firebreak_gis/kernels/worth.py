@@ -17,8 +17,8 @@ from firebreak_gis.kernels.buckets import DONE
 from firebreak_gis.kernels.draws import Thresholds
 from firebreak_gis.kernels.embers import Embers
 from firebreak_gis.kernels.percolation import Steps
-from firebreak_gis.kernels.policy import inlined, kernel
-from firebreak_gis.kernels.walls import Cleared, Walls, parted, stands
+from firebreak_gis.kernels.policy import kernel
+from firebreak_gis.kernels.walls import Cleared, Walls, holding
 
 _ONE = np.uint64(1)
 _EIGHT = np.uint64(8)
@@ -136,6 +136,9 @@ def worth(
     float
         Value lost as it is, summed over the runs.
     """
+    # Arrays by plain names: each look-up in a tuple costs more than the rest of a step.
+    order, arrival, parent, links = space.order, space.arrival, space.parent, space.queue.links
+    kept_order, kept_arrival, kept_parent, mark = memory.order, memory.arrival, memory.parent, memory.mark
     lost = 0.0
     again = Starts(memory.first, memory.seeds, memory.at, starts.limit)
     for k in range(runs.size):
@@ -143,11 +146,11 @@ def worth(
         key = keys[run]
         size = np.int64(burn_run(thresholds, key, steps, clock, starts, walls, cleared, embers, space, run))
         for i in range(size):
-            cell = space.order[i]
-            memory.order[i] = cell
-            memory.arrival[cell] = space.arrival[cell]
-            memory.parent[cell] = space.parent[cell]
-            space.queue.links[cell, 0] = DONE
+            cell = order[i]
+            kept_order[i] = cell
+            kept_arrival[cell] = arrival[cell]
+            kept_parent[cell] = parent[cell]
+            links[cell, 0] = DONE
             lost += value[cell]
         for t in range(_touched(steps, starts, parts, memory, run, size)):
             part = memory.touched[t]
@@ -167,13 +170,13 @@ def worth(
                 memory.first[run + 1] = count
                 burnt = np.int64(burn_run(thresholds, key, steps, clock, again, walls, cleared, embers, space, run))
                 for i in range(burnt):
-                    cell = space.order[i]
-                    if memory.arrival[cell] == UNSEEN or memory.mark[cell] == _LOST:
+                    cell = order[i]
+                    if kept_arrival[cell] == UNSEEN or mark[cell] == _LOST:
                         removed -= value[cell]
-                    space.arrival[cell] = memory.arrival[cell]
-                    space.parent[cell] = memory.parent[cell]
-                    space.queue.links[cell, 0] = DONE
-                    memory.mark[cell] = 0
+                    arrival[cell] = kept_arrival[cell]
+                    parent[cell] = kept_parent[cell]
+                    links[cell, 0] = DONE
+                    mark[cell] = 0
                 saved[part] += abs(removed)
                 if built:
                     _set(walls, parts, part, True)
@@ -182,33 +185,39 @@ def worth(
             if not built:
                 _set(walls, parts, part, False)
         for i in range(size):
-            cell = memory.order[i]
-            space.arrival[cell] = UNSEEN
-            memory.arrival[cell] = UNSEEN
+            cell = kept_order[i]
+            arrival[cell] = UNSEEN
+            kept_arrival[cell] = UNSEEN
     return lost
 
 
 @kernel
 def _set(walls: Walls, parts: Parts, part: int, cut: bool) -> None:
+    cells, towards, crossed, holds = parts.cells, parts.towards, walls.crossed, walls.holds
+    becomes = parts.cut if cut else parts.uncut
+    lines = towards.size > 0
     for i in range(parts.first[part], parts.first[part + 1]):
-        cell = parts.cells[i]
-        if parts.towards.size > 0:
-            bit = np.uint8(1) << parts.towards[i]
-            walls.crossed[cell] = walls.crossed[cell] | bit if cut else walls.crossed[cell] & ~bit
+        cell = cells[i]
+        if lines:
+            bit = np.uint8(1) << towards[i]
+            crossed[cell] = crossed[cell] | bit if cut else crossed[cell] & ~bit
         else:
-            walls.holds[cell] = parts.cut[cell] if cut else parts.uncut[cell]
+            holds[cell] = becomes[cell]
 
 
 @kernel
 def _holds(walls: Walls, steps: Steps, parts: Parts, part: int, run: int) -> bool:
-    """Whether any cell or link of a part holds in the run."""
+    """Whether any cell or link of a part that is set holds in the run."""
+    cells, towards, offsets, key = parts.cells, parts.towards, steps.offsets, walls.keys[run]
+    holds, stretch, line_holds, line_stretch = walls.holds, walls.stretch, walls.line_holds, walls.line_stretch
+    lines = towards.size > 0
     for i in range(parts.first[part], parts.first[part + 1]):
-        cell = np.uint64(parts.cells[i])
-        if parts.towards.size > 0:
-            d = parts.towards[i]
-            if parted(walls, run, cell, cell + steps.offsets[0, d], d):
+        cell = np.uint64(cells[i])
+        if lines:
+            first = min(cell, cell + offsets[0, towards[i]])
+            if holding(key, line_stretch[first], line_holds[first]):
                 return True
-        elif stands(walls, run, cell):
+        elif holding(key, stretch[cell], holds[cell]):
             return True
     return False
 
@@ -216,7 +225,6 @@ def _holds(walls: Walls, steps: Steps, parts: Parts, part: int, run: int) -> boo
 @kernel
 def _touched(steps: Steps, starts: Starts, parts: Parts, memory: Kept, run: int, size: int) -> int:
     """List the built parts that are lit or lie beside burnt cells, and the others in or across which fire goes."""
-    # Arrays by plain names in the loops over what burns: each look-up in a tuple costs more than the rest of a step.
     of, built, seen, touched = parts.of, parts.built, memory.seen, memory.touched
     order, parent, offsets, positions = memory.order, memory.parent, steps.offsets, steps.position
     n_cells = np.uint64(memory.arrival.size)
@@ -274,24 +282,14 @@ def _lit_in(starts: Starts, parts: Parts, part: int, memory: Kept, run: int) -> 
     return count
 
 
-@inlined
-def _seed(
-    cell: np.uint64,
-    count: int,
-    mark: np.ndarray,
-    arrival: np.ndarray,
-    seeds: np.ndarray,
-    at: np.ndarray,
-    again: np.ndarray,
-) -> int:
-    """Let fire go on from a burnt cell, once."""
-    if arrival[cell] != UNSEEN and mark[cell] == 0:
-        mark[cell] = _BESIDE
-        seeds[count] = np.int64(cell)
-        at[count] = arrival[cell]
+@kernel
+def _go_on(memory: Kept, space: Workspace, first: int, count: int) -> None:
+    """Let fire go on from seeds that burn already."""
+    seeds, at, arrival, again = memory.seeds, memory.at, memory.arrival, space.arrival
+    for i in range(first, count):
+        cell = seeds[i]
+        at[i] = arrival[cell]
         again[cell] = UNSEEN
-        count += 1
-    return count
 
 
 @kernel
@@ -299,20 +297,27 @@ def _beside_part(
     steps: Steps, starts: Starts, parts: Parts, part: int, memory: Kept, space: Workspace, run: int
 ) -> int:
     """Seeds are what is lit in a part, and the burnt cells beside it; return their number."""
-    mark, arrival, seeds, at, again = memory.mark, memory.arrival, memory.seeds, memory.at, space.arrival
+    mark, arrival, seeds = memory.mark, memory.arrival, memory.seeds
     cells, offsets, positions = parts.cells, steps.offsets, steps.position
     lines = parts.towards.size > 0
-    count = _lit_in(starts, parts, part, memory, run)
+    lit = _lit_in(starts, parts, part, memory, run)
+    count = lit
     for i in range(parts.first[part], parts.first[part + 1]):
         cell = np.uint64(cells[i])
         if lines:
-            count = _seed(cell, count, mark, arrival, seeds, at, again)
+            if arrival[cell] != UNSEEN and mark[cell] == 0:
+                mark[cell] = _BESIDE
+                seeds[count] = np.int64(cell)
+                count += 1
             continue
         position = positions[cell] if positions.size > 0 else np.uint8(0)
         for d in range(8):  # one beyond the border may be any cell, from which fire goes nowhere new
             beside = cell + offsets[position, d]
-            if beside < np.uint64(arrival.size):
-                count = _seed(beside, count, mark, arrival, seeds, at, again)
+            if beside < np.uint64(arrival.size) and arrival[beside] != UNSEEN and mark[beside] == 0:
+                mark[beside] = _BESIDE
+                seeds[count] = np.int64(beside)
+                count += 1
+    _go_on(memory, space, lit, count)
     return count
 
 
@@ -329,7 +334,7 @@ def _taken_back(
     value: np.ndarray,
 ) -> tuple[float, int]:
     """Take back all that burnt by way of a part; return its value, and the number of seeds beside it."""
-    mark, arrival, seeds, at, again = memory.mark, memory.arrival, memory.seeds, memory.at, space.arrival
+    mark, arrival, seeds, again = memory.mark, memory.arrival, memory.seeds, space.arrival
     order, parents, offsets, positions = memory.order, memory.parent, steps.offsets, steps.position
     cells, towards = parts.cells, parts.towards
     for i in range(parts.first[part], parts.first[part + 1]):
@@ -343,24 +348,30 @@ def _taken_back(
             mark[cell] = _LOST
             back += value[cell]
             again[cell] = UNSEEN
-    count = _lit_in(starts, parts, part, memory, run)
+    lit = _lit_in(starts, parts, part, memory, run)
+    count = lit
     for i in range(size):
         cell = np.uint64(order[i])
         if mark[cell] == _LOST:
             position = positions[cell] if positions.size > 0 else np.uint8(0)
             for d in range(8):
                 beside = cell + offsets[position, d]
-                if beside < np.uint64(arrival.size):
-                    count = _seed(beside, count, mark, arrival, seeds, at, again)
+                if beside < np.uint64(arrival.size) and arrival[beside] != UNSEEN and mark[beside] == 0:
+                    mark[beside] = _BESIDE
+                    seeds[count] = np.int64(beside)
+                    count += 1
+    _go_on(memory, space, lit, count)
     return back, count
 
 
 @kernel
 def _restored(memory: Kept, space: Workspace, size: int) -> None:
     """Put the run back as it was."""
+    mark, order, arrival, parent = memory.mark, memory.order, space.arrival, space.parent
+    kept_arrival, kept_parent = memory.arrival, memory.parent
     for i in range(size):
-        cell = memory.order[i]
-        if memory.mark[cell] != 0:
-            memory.mark[cell] = 0
-            space.arrival[cell] = memory.arrival[cell]
-            space.parent[cell] = memory.parent[cell]
+        cell = order[i]
+        if mark[cell] != 0:
+            mark[cell] = 0
+            arrival[cell] = kept_arrival[cell]
+            parent[cell] = kept_parent[cell]
