@@ -105,6 +105,19 @@ def uniforms(key: np.uint64, count: int, start: int = 0) -> np.ndarray:
     return (words(key, start, count) >> np.uint64(11)).astype(np.float64) * 2.0**-53
 
 
+def first_uniforms(keys: np.ndarray) -> np.ndarray:
+    """The first of the `uniforms` of each of some keys, (n,) uint64: (n,) float64."""
+    return (_first_words(keys) >> np.uint64(11)).astype(np.float64) * 2.0**-53
+
+
+@kernel
+def _first_words(keys: np.ndarray) -> np.ndarray:
+    out = np.empty(keys.size, np.uint64)
+    for i in range(keys.size):
+        out[i] = word(keys[i], np.uint64(0))
+    return out
+
+
 def thresholds(probability: np.ndarray) -> Thresholds:
     """Thresholds below which a 32-digit draw opens an edge; 1 always opens, 0 never.
 

@@ -73,9 +73,9 @@ class Duration:
         if self.kind in ("fixed", "turns"):
             times = np.array([ENDLESS if math.isinf(t) else round(t) for t in self.values], np.int64)
             return np.asarray(times[np.arange(first_run, first_run + n_runs) % times.size])
-        from firebreak_gis.kernels.draws import run_keys, uniforms
+        from firebreak_gis.kernels.draws import first_uniforms, run_keys
 
-        shares = [uniforms(key, 1)[0] for key in run_keys(seed, purpose, n_runs, first_run)]
+        shares = first_uniforms(run_keys(seed, purpose, n_runs, first_run)).tolist()
         if self.kind == "uniform":
             low, high = self.values
             drawn = [low + (high - low) * share for share in shares]

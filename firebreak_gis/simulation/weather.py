@@ -139,10 +139,10 @@ class Weather(Shown):
 
         The draw is keyed by (seed, run): a run has the same weather with any breaks, however runs are split.
         """
-        from firebreak_gis.kernels.draws import run_keys, uniforms
+        from firebreak_gis.kernels.draws import first_uniforms, run_keys
 
         ends = np.cumsum(self.shares)
-        draws = np.array([uniforms(key, 1)[0] for key in run_keys(seed, "weather", n_runs, first_run)])
+        draws = first_uniforms(run_keys(seed, "weather", n_runs, first_run))
         found = np.searchsorted(ends, draws * ends[-1], side="right")
         return np.asarray(np.minimum(found, np.flatnonzero(self.shares)[-1]))
 
