@@ -66,12 +66,11 @@ class Choice(Generic[T]):
         """The design that loses least; the best two meet other fires as well, since of many the first looks better."""
         if len(self._tried) == 1:
             return self._tried[0][1]
-        whole = [lost + self._loss(design, self.n_runs, 2) for lost, design in self._tried]
+        whole = [lost + self._loss(design, self.n_runs) for lost, design in self._tried]
         return self._tried[int(np.argmin(whole))][1]
 
-    def _loss(self, design: T, first: int = 0, times: int = 1) -> float:
-        lost = self._trial.losses(self._laid(design), n_runs=times * self.n_runs, first_run=first)
-        return float(lost.sum())
+    def _loss(self, design: T, first: int = 0) -> float:
+        return float(self._trial.losses(self._laid(design), n_runs=self.n_runs, first_run=first).sum())
 
 
 def all_hold(hold: Hold, stretches: float) -> float:

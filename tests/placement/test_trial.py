@@ -372,4 +372,4 @@ def test_designs_are_tried_in_turn_and_the_best_two_meet_other_fires():
     assert choice.rising("abcde") == "b"  # c and d are worse in a row
     assert [cut for cut, _, _ in trial.asked] == list("abcd")
     assert choice.chosen() == "c"  # looked worse than b on the first fires, loses less on all
-    assert trial.asked[4:] == [("b", 20, 10), ("c", 20, 10)]
+    assert trial.asked[4:] == [("b", 10, 10), ("c", 10, 10)]
