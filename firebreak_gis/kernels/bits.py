@@ -26,7 +26,7 @@ def popcount(bits: np.uint64) -> np.uint64:
 
 def _lowest(typing_context: Any, bits: Any) -> Any:  # noqa: ARG001
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:  # noqa: ARG001
-        return builder.cttz(arguments[0], ir.Constant(ir.IntType(1), 1))
+        return builder.cttz(arguments[0], ir.Constant(ir.IntType(1), 0))  # 64 where there is none
 
     return types.uint64(types.uint64), generate
 

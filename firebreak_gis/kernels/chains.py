@@ -241,7 +241,7 @@ def _search(
     goal = np.zeros(price.size, np.bool_)
     for b in margin:
         goal[b] = price[b] >= 0 and way[b] > 0
-    heap, waiting = np.empty(1024, np.int64), _ZERO
+    heap, waiting = np.empty(16, np.int64), _ZERO
     while n_free > 0 or waiting > _ZERO:
         if n_free > 0:
             n_free -= 1

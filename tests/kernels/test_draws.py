@@ -123,3 +123,8 @@ def test_uniform_numbers():
     assert u.max() < 1
     assert stats.kstest(u, "uniform").pvalue > 1e-3
     assert (u[10:20] == draws.uniforms(draws.stream_key(2, "ranking"), 10, start=10)).all()
+
+
+def test_first_numbers_of_some_keys():
+    keys = draws.run_keys(4, "durations", 50, first_run=7)
+    np.testing.assert_array_equal(draws.first_uniforms(keys), [draws.uniforms(key, 1)[0] for key in keys])

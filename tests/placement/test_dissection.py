@@ -196,7 +196,8 @@ def test_a_cut_is_the_cheapest_between_its_ends(seed, share):
 @given(seed=SEEDS)
 def test_a_chain_is_the_cheapest_across_its_band(seed):
     random = np.random.default_rng(seed)
-    shape = (int(random.integers(3, 9)), int(random.integers(3, 9)))
+    most = 40 if seed % 8 == 0 else 9  # in large ones more places wait than there is room for at first
+    shape = (int(random.integers(3, most)), int(random.integers(3, most)))
     fuel = random.random(shape) < 0.8
     row, col = (each.astype(np.int32) for each in np.nonzero(fuel))
     if row.size < 3:
