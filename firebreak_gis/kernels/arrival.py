@@ -221,13 +221,8 @@ def burn_run(
     limit = starts.limit[run]
     awaited = walls.crews.size > 0
     clears = cleared.ground.shape[0] > 0
-    hold_key, holds, stretch, residual, probability = (
-        walls.keys[run],
-        walls.holds,
-        walls.stretch,
-        walls.residual,
-        walls.probability,
-    )
+    hold_key, holds, stretch = walls.keys[run], walls.holds, walls.stretch
+    residual, probability = walls.residual, walls.probability
     crossed, line_holds, line_stretch = walls.crossed, walls.line_holds, walls.line_stretch
     expected, ember_key = embers.mean, embers.keys[run]
     walled, throws, periodic = near.size > 0, expected.size > 0, positions.size > 0

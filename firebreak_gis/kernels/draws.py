@@ -102,12 +102,16 @@ def words(key: np.uint64, start: int, count: int) -> np.ndarray:
 
 def uniforms(key: np.uint64, count: int, start: int = 0) -> np.ndarray:
     """`count` uniform numbers in [0, 1) with 53 digits from the stream of `key`, (count,) float64."""
-    return (words(key, start, count) >> np.uint64(11)).astype(np.float64) * 2.0**-53
+    return _numbers(words(key, start, count))
 
 
 def first_uniforms(keys: np.ndarray) -> np.ndarray:
     """The first of the `uniforms` of each of some keys, (n,) uint64: (n,) float64."""
-    return (_first_words(keys) >> np.uint64(11)).astype(np.float64) * 2.0**-53
+    return _numbers(_first_words(keys))
+
+
+def _numbers(drawn: np.ndarray) -> np.ndarray:
+    return (drawn >> np.uint64(11)).astype(np.float64) * 2.0**-53
 
 
 @kernel

@@ -95,16 +95,6 @@ def manned(walls: Walls, cell: np.uint64, t: np.uint64) -> bool:
 
 
 @inlined
-def parted(walls: Walls, run: int, cell: np.uint64, target: np.uint64, d: int) -> bool:
-    """Whether a line that holds in the run crosses the link from a cell in direction d, to `target`."""
-    result = False
-    if walls.crossed.size > 0 and (walls.crossed[cell] >> np.uint8(d)) & np.uint8(1):
-        first = min(cell, target)
-        result = holding(walls.keys[run], walls.line_stretch[first], walls.line_holds[first])
-    return result
-
-
-@inlined
 def kept(walls: Walls, cell: np.uint64) -> float:
     """Share of its spread probability that a treated cell keeps where it holds."""
     return walls.residual[cell if walls.residual.size > 1 else np.uint64(0)]

@@ -296,7 +296,10 @@ def _go_on(memory: Kept, space: Workspace, first: int, count: int) -> None:
 def _beside_part(
     steps: Steps, starts: Starts, parts: Parts, part: int, memory: Kept, space: Workspace, run: int
 ) -> int:
-    """Seeds are what is lit in a part, and the burnt cells beside it; return their number."""
+    """Seeds are what is lit in a part, and the burnt cells beside it; return their number.
+
+    A seed is noted in place: numba would count the holders of the arrays at each call of a function that does it.
+    """
     mark, arrival, seeds = memory.mark, memory.arrival, memory.seeds
     cells, offsets, positions = parts.cells, steps.offsets, steps.position
     lines = parts.towards.size > 0
