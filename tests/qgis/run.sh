@@ -25,6 +25,9 @@ fi
 export FIREBREAK_PYTHON
 
 unset PYTHONPATH
+# The Python inside qgis_process takes its libraries from beside the first python3 on the way: with an environment
+# active that is the wrong one.
+export PATH=/usr/bin:$PATH
 export QT_QPA_PLATFORM=offscreen PYTHONDONTWRITEBYTECODE=1
 XDG_RUNTIME_DIR=$(mktemp -d)
 QGIS_CUSTOM_CONFIG_PATH=$(mktemp -d)
