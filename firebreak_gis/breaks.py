@@ -15,6 +15,7 @@ import numpy as np
 
 from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid
+from firebreak_gis.keys import distinct
 from firebreak_gis.rasters.units import read_amount
 from firebreak_gis.schema import VARIABLES, annotate
 
@@ -318,7 +319,7 @@ def first_cut(priority: np.ndarray | xr.DataArray, counts: Sequence[int] | np.nd
     if n == 0 or numbers.size == 0:
         return np.full(values.shape, numbers.size, np.int32)
     last = np.clip(numbers, 1, n) - 1  # place of the last cell that each number cuts
-    marks = np.partition(keys, np.unique(last))[last]
+    marks = np.partition(keys, distinct(last))[last]
     marks[numbers < 1] = -np.inf
     out = np.searchsorted(marks, keys, side="left").astype(np.int32)
     least = int(np.count_nonzero(numbers < 1))
@@ -327,7 +328,7 @@ def first_cut(priority: np.ndarray | xr.DataArray, counts: Sequence[int] | np.nd
     until = np.cumsum(np.bincount(out, minlength=numbers.size + 1))
     equal = np.flatnonzero((keys == np.append(marks, np.nan)[out]) & free.ravel())
     of = out[equal]
-    for k in np.unique(of):
+    for k in distinct(of):
         own = equal[of == k]
         out[own] = np.searchsorted(numbers, until[k] - own.size + np.arange(own.size), side="right")
     out[~free.ravel()] = numbers.size

@@ -128,6 +128,9 @@ from firebreak_gis import memory
 
 if sys.argv[1] == "return":
     memory.return_large()
+if sys.argv[1] in ("little", "much"):
+    memory.return_large()
+    memory.suit(25 if sys.argv[1] == "little" else 26, max_memory=100)
 del bytearray(31 << 20)[:]  # from now on the C library takes nothing smaller for large
 pieces = [bytearray(4 << 20) for _ in range(40)]
 del pieces[:-1]
@@ -140,7 +143,7 @@ print(next(line for line in lines if line.startswith("RssAnon")).split()[1])
     sys.platform != "linux" or not hasattr(ctypes.CDLL(None), "mallopt"),
     reason="this C library keeps nothing large",
 )
-def test_what_is_large_is_returned_when_it_is_freed():
+def test_what_is_large_is_returned_when_it_is_freed_unless_memory_is_plenty():
     def held(how: str, **more: str) -> int:
         words = [sys.executable, "-c", _WORKS, how]
         environment = {k: v for k, v in os.environ.items() if not k.startswith("MALLOC_")} | more
@@ -148,4 +151,7 @@ def test_what_is_large_is_returned_when_it_is_freed():
 
     kept, returned = held("keep"), held("return")
     assert returned < kept - 100e6
+    # Where work needs up to a quarter of what is allowed, what is freed stays for what comes next.
+    assert held("little") > returned + 100e6
+    assert held("much") < kept - 100e6
     assert held("return", MALLOC_MMAP_THRESHOLD_="33554432") > returned + 100e6  # the user's own setting

@@ -137,6 +137,7 @@ def _require_room(work: str, given: Mapping[str, Any], max_memory: int | None) -
         or (work == "network" and not given.get("export") and plugins.halo_of(given["model"]) is not None),
     )
     memory.require_memory(needed, f"firebreak {work} on {rows} x {cols} cells", max_memory=max_memory)
+    memory.suit(needed, max_memory=max_memory)
 
 
 def inputs(command: F) -> F:

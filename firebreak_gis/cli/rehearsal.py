@@ -120,6 +120,7 @@ def foresee(
         needed = max(needed, memory.bytes_for("plan", rows * cols, **about))
     what = f"a landscape of {rows} x {cols} cells" if method is None else f"a plan of {rows} x {cols} cells by {method}"
     memory.require_memory(needed, what, max_memory=layers.max_memory)
+    memory.suit(needed, max_memory=layers.max_memory)
     size = (_LAYER_BYTES if method is None else _PLAN_BYTES) * rows * cols + _OTHER_BYTES
     scratch = _LAYER_BYTES * rows * cols if method is None and found.by_parts else 0
     return Foreseen(

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.construction.keys import keyed
+from firebreak_gis.keys import distinct, keyed
 
 if TYPE_CHECKING:
     import shapely
@@ -84,7 +84,7 @@ def find_borders(labels: np.ndarray, cut: np.ndarray, *, periodic: bool = False)
     sides, owners = quarters.ravel(), np.concatenate([edge, edge])
     owners, sides = owners[sides >= 0], sides[sides >= 0]
     key, sizes = keyed(cells[sides // 4], owners)
-    cell, stretch = np.unravel_index(np.unique(key), sizes)
+    cell, stretch = np.unravel_index(distinct(key), sizes)
     reached = descend(number, cells, depth, sides, owners, periodic).reshape(-1, 4)
     nearest = np.where(reached < 0, len(pair), reached).min(axis=1, initial=len(pair))
     of_cells = np.full(cut.shape, -1, np.int32)
@@ -147,7 +147,7 @@ def middle_lines(outlines: Sequence[shapely.Geometry], borders: Sequence[shapely
     polygons, lines = np.array(outlines, object), np.array(borders, object)
     inside = lines.copy()
     partly = np.flatnonzero(shapely.is_geometry(lines) & ~shapely.covers(polygons, lines))
-    inside[partly] = [_lines_of(each) for each in shapely.intersection(lines[partly], polygons[partly])]
+    inside[partly] = _lines_of(shapely.intersection(lines[partly], polygons[partly]))
     for k in np.flatnonzero(~(shapely.length(inside) > 0)):
         inside[k] = _axis(polygons[k])
     return list(inside)
@@ -163,12 +163,12 @@ def _axis(outline: shapely.Geometry) -> shapely.Geometry:
         corners = np.roll(corners, -1, axis=0)
     ends = (corners[[1, 0]] + corners[[2, 3]]) / 2
     axis = shapely.LineString(ends[np.lexsort((ends[:, 1], ends[:, 0]))])
-    inside = _lines_of(shapely.intersection(axis, part))
+    inside = _lines_of(shapely.intersection([axis], [part]))[0]
     if inside.length > 0:
         return inside
     y = part.representative_point().y
     left, _, right, _ = part.bounds
-    return _lines_of(shapely.intersection(shapely.LineString([(left, y), (right, y)]), part))
+    return _lines_of(shapely.intersection([shapely.LineString([(left, y), (right, y)])], [part]))[0]
 
 
 def mean_widths(outlines: Sequence[shapely.Geometry]) -> np.ndarray:
@@ -186,12 +186,15 @@ def mean_widths(outlines: Sequence[shapely.Geometry]) -> np.ndarray:
     return np.asarray(whole[0] / whole[1])
 
 
-def _lines_of(geometry: shapely.Geometry) -> shapely.Geometry:
-    """The lines among what an intersection left, joined."""
+def _lines_of(geometries: np.ndarray) -> np.ndarray:
+    """The lines among what intersections left, those of each joined."""
     import shapely
 
-    parts = [part for part in shapely.get_parts(geometry) if part.geom_type == "LineString" and not part.is_empty]
-    return shapely.line_merge(shapely.MultiLineString(parts))
+    parts, of = shapely.get_parts(geometries, return_index=True)
+    kept = (shapely.get_type_id(parts) == shapely.GeometryType.LINESTRING) & ~shapely.is_empty(parts)
+    lines = np.full(len(geometries), shapely.MultiLineString())
+    shapely.multilinestrings(parts[kept], indices=of[kept], out=lines)
+    return np.asarray(shapely.line_merge(lines))
 
 
 def _smooth(lines: np.ndarray) -> np.ndarray:

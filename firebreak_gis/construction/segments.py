@@ -9,9 +9,9 @@ import numpy as np
 
 from firebreak_gis.construction.centrelines import Borders, draw_lines, find_borders, mean_widths, middle_lines
 from firebreak_gis.construction.compartments import Compartments, split, weights
-from firebreak_gis.construction.keys import keyed
 from firebreak_gis.construction.sequence import construction_order, gains
 from firebreak_gis.grid import outlines
+from firebreak_gis.keys import distinct, keyed
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.schema import MapLayer, card, one_line
 
@@ -219,7 +219,7 @@ def _find_pieces(network: SpreadNetwork, parts: Compartments, borders: Borders, 
         np.concatenate([inside, borders.cell, near_cell]),
         np.concatenate([main[inside], borders.cell_stretch, near_stretch]),
     )
-    return _Pieces(sides, inside, main[inside], *np.unravel_index(np.unique(key), sizes))
+    return _Pieces(sides, inside, main[inside], *np.unravel_index(distinct(key), sizes))
 
 
 def _touches(parts: Compartments, cut: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -229,7 +229,7 @@ def _touches(parts: Compartments, cut: np.ndarray) -> tuple[np.ndarray, np.ndarr
     for one, other in (parts.links, parts.links[::-1]):
         meets = wall[one] & (labels[other] > 0)
         found.append(one[meets].astype(np.int64) * (parts.cells.size + 1) + labels[other[meets]])
-    key = np.unique(np.concatenate(found))
+    key = distinct(np.concatenate(found))
     return np.divmod(key, parts.cells.size + 1)
 
 
@@ -292,7 +292,7 @@ def _settle(
     position[every] = np.arange(n)
     best = np.full(n_cells, n, np.int32)
     np.minimum.at(best, pieces.cell, position[pieces.piece].astype(np.int32))
-    built = np.unique(best[best < n])
+    built = distinct(best[best < n])
     stage = np.unique(number[built], return_inverse=True)[1].ravel() + 1
     return np.append(every, -1).astype(np.int32)[best], position, every[built], stage
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from firebreak_gis.construction.keys import keyed
+from firebreak_gis.keys import distinct, keyed
 
 
 def construction_order(
@@ -140,7 +140,7 @@ def gains(
     mass_i, mass_v = (_node_mass(plane, labels, cut, n_parts) for plane in (ignition, value))
     ways = node[links]
     key, sizes = keyed(*np.sort(ways[:, (turn[ways[0]] >= 0) | (turn[ways[1]] >= 0)], axis=0))
-    ways = np.array(np.unravel_index(np.unique(key), sizes))
+    ways = np.array(np.unravel_index(distinct(key), sizes))
     when = turn[ways].max(axis=0, initial=-1)
     order = np.argsort(when, kind="stable")
     come_back(ways[0, order], ways[1, order], when[order], mass_i, mass_v, saved)

@@ -12,7 +12,7 @@ import numpy as np
 from firebreak_gis.breaks import Amount, require_priority, shares_of
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.progress import Progress, part
-from firebreak_gis.simulation.budgets import burn_budgets, burn_each
+from firebreak_gis.simulation.budgets import Sizes, burn_budgets, burn_each
 from firebreak_gis.simulation.containment import as_containment
 from firebreak_gis.simulation.durations import as_duration
 from firebreak_gis.simulation.embers import as_embers
@@ -156,6 +156,7 @@ def evaluate_fires(
     test: Test = "wilcoxon",
     alpha: float = 0.01,
     ground: Ground | None = None,
+    known: Sizes | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
@@ -171,6 +172,8 @@ def evaluate_fires(
         Where the fires burn, if that is not `network`.
     priorities
         As in `evaluate`, or `ByBudget`, whose budgets are burnt one by one.
+    known
+        As in `burn_each`.
     budgets, baseline, test, alpha, threads, progress
         As in `evaluate`.
     """
@@ -178,22 +181,23 @@ def evaluate_fires(
     for priority in priorities.values():
         if not isinstance(priority, ByBudget):
             require_priority(priority)
+    known = Sizes() if known is None else known
     cells = {}
     for i, (name, priority) in enumerate(priorities.items()):
         step = part(progress, i / len(priorities), (i + 1) / len(priorities), f"{name}: ")
         if isinstance(priority, ByBudget):
             same = replace(request, ignitions=resolved(network, request))
             laid = [priority.breaks(float(budget)) for budget in budgets]
-            burnt = burn_each(ground or Ground(network), same, laid, threads=threads, progress=step)
+            burnt = burn_each(ground or Ground(network), same, laid, known=known, threads=threads, progress=step)
         elif callable(priority):
             plans = _plans(priority, budgets, part(step, 0.0, 0.5))
             later = part(step, 0.5, 1.0)
             burnt = burnt_under(
-                network, plans, request, budgets=budgets, ground=ground, threads=threads, progress=later
+                network, plans, request, budgets=budgets, ground=ground, known=known, threads=threads, progress=later
             )
         else:
             burnt = burn_budgets(
-                network, priority, request, budgets=budgets, ground=ground, threads=threads, progress=step
+                network, priority, request, budgets=budgets, ground=ground, known=known, threads=threads, progress=step
             ).to_numpy()
         cells[name] = burnt
     fuel = max(network.n_burnable, 1)
@@ -213,6 +217,7 @@ def burnt_under(
     *,
     budgets: Sequence[float] | np.ndarray,
     ground: Ground | None = None,
+    known: Sizes | None = None,
     threads: int | None = None,
     progress: Progress,
 ) -> np.ndarray:
@@ -222,7 +227,7 @@ def burnt_under(
     ----------
     plans
         The priority for each of the budgets; those in a row that are one object are burnt in one pass.
-    request, budgets, ground, threads
+    request, budgets, ground, known, threads
         As in `burn_budgets`.
 
     Returns
@@ -236,7 +241,7 @@ def burnt_under(
 
     def burn(until: int) -> None:
         step, some = part(progress, first / count, until / count), budgets[first:until]
-        more: dict[str, Any] = {"ground": ground, "threads": threads, "progress": step}
+        more: dict[str, Any] = {"ground": ground, "known": known, "threads": threads, "progress": step}
         parts.append(burn_budgets(network, plan, request, budgets=some, **more).to_numpy())
 
     for k, made in enumerate(plans):

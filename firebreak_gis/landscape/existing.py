@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from firebreak_gis.keys import distinct
 from firebreak_gis.landscape.footprints import close_corners, footprints
 from firebreak_gis.landscape.masks import mask_plane
 from firebreak_gis.landscape.target_grid import Account
@@ -50,7 +51,7 @@ class Existing(Shown):
 
     def facts(self) -> dict[str, object]:
         """How many and how long, as `repr` and notebooks show them."""
-        taken = np.unique(np.concatenate(self.cells)).size if self.cells else 0
+        taken = distinct(np.concatenate(self.cells)).size if self.cells else 0
         return {"breaks": len(self), "length": f"{self.lengths.sum() / 1000:,.4g} km", "cells": f"{taken:,}"}
 
     def layers(self) -> tuple[MapLayer, ...]:

@@ -28,6 +28,7 @@ import numpy as np
 from affine import Affine
 
 from firebreak_gis.grid import Grid
+from firebreak_gis.keys import distinct
 from firebreak_gis.projections import transform
 
 if TYPE_CHECKING:
@@ -169,7 +170,7 @@ def mode(codes: np.ndarray, placed: Placed, grid: Grid, missing: int) -> np.ndar
     flat = codes.ravel()[index >= 0]
     index = index[index >= 0]
     best, votes = np.full(size, missing, dtype=codes.dtype), np.zeros(size, dtype=np.int64)
-    present = np.unique(flat)
+    present = distinct(flat)
     for code in [*present[present != missing], missing]:
         counted = np.bincount(index[flat == code], minlength=size)
         better = counted > votes

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from firebreak_gis.keys import distinct
 from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.placement.patches import COARSE_FROM, Patches, Walls
 from firebreak_gis.progress import part, silent
@@ -426,7 +427,7 @@ def lines_first(lines: Sequence[np.ndarray], stakes: Stakes, score: np.ndarray) 
     cells = np.concatenate([*lines, np.zeros(0, np.int64)]).astype(np.int64, copy=False)
     _, first = np.unique(cells, return_index=True)
     cells = cells[np.sort(first)]
-    values = np.unique(flat)
+    values = distinct(flat)
     priority = np.empty(flat.size)
     for some, place in zip(*(np.array_split(plane, _PARTS) for plane in (flat, priority)), strict=True):
         place[:] = np.searchsorted(values, some)

@@ -10,6 +10,7 @@ import numpy as np
 
 from firebreak_gis.breaks import Budget
 from firebreak_gis.kernels.patches import patch_links, pieces_after
+from firebreak_gis.keys import distinct
 from firebreak_gis.lattice import AZIMUTH, COL_STEP, ROW_STEP
 from firebreak_gis.placement.bending import bent, is_even, prices
 from firebreak_gis.placement.dissection import along, lines_first
@@ -213,7 +214,7 @@ def _bent_pattern(
     for i in range(_TRIES):
         progress(i / _TRIES, "moving lines to better ground")
         moved = [bent(line, network, price, width=width, reach=spacing / 4.0) for line in lines]
-        cut = np.unique(np.concatenate(moved))
+        cut = distinct(np.concatenate(moved))
         cost = float(stakes.cost.ravel()[cut[free[cut]]].sum())
         if money is None or money.pays(cost):
             break

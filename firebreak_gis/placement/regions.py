@@ -19,6 +19,7 @@ from firebreak_gis.kernels.coarse import blocks
 from firebreak_gis.kernels.flow import UNCUTTABLE
 from firebreak_gis.kernels.patches import thin
 from firebreak_gis.kernels.squares import UNNUMBERED, number_blocks
+from firebreak_gis.keys import distinct
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.placement.coarsening import coarse_costs, coarse_price, factor_for
 from firebreak_gis.placement.patches import SIDES, sorted_along
@@ -192,7 +193,7 @@ class Regions:
     def _cells(self, ids: np.ndarray) -> np.ndarray:
         """Cells of blocks."""
         rows, cols = self._shape
-        squares = np.unique(self._squares(ids))
+        squares = distinct(self._squares(ids))
         inside = np.arange(self._factor)
         found = [np.zeros(0, np.int64)]
         step = max(_TOGETHER // self._factor**2, 1)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from firebreak_gis.keys import distinct
 from firebreak_gis.placement.choosing import Choice, all_hold
 from firebreak_gis.placement.parts import parts_of
 from firebreak_gis.placement.widening import around, wall_costs, walls
@@ -127,7 +128,7 @@ def closing(network: SpreadNetwork, hold: Hold) -> Callable[[list[np.ndarray]], 
     def chance(lines: list[np.ndarray]) -> np.ndarray:
         cells = np.concatenate([*lines, np.zeros(0, np.int64)]).astype(np.int64)
         line = np.repeat(np.arange(len(lines)), [each.size for each in lines])
-        crossed = np.unique((line * n_blocks + block[cells])[fuel[cells]])
+        crossed = distinct((line * n_blocks + block[cells])[fuel[cells]])
         counts = np.bincount(crossed // n_blocks, minlength=len(lines))
         return np.array([all_hold(hold, each) for each in range(int(counts.max(initial=0)) + 1)])[counts]
 

@@ -17,6 +17,7 @@ from firebreak_gis.planning.designs import lines
 from firebreak_gis.planning.timing import fire_seconds, ranking_seconds
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.ranking import rank
+from firebreak_gis.simulation.budgets import Sizes
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.ground_fires import burn_on
 
@@ -87,7 +88,10 @@ def burnt_with(design: Design, judged: Judging, spans: Mapping[str, tuple[float,
 
     network, planes = setting.network, setting.planes
     objectives = {name: lost(network.plane(plane, name)) for name, plane in planes.objectives.items()}
-    paper, evaluation = _curves(design, judged, spans, progress)
+    known = Sizes()
+    for breaks, burns in ((None, before), (laid, after)):
+        known.keep(beside(breaks, setting.standing), burns["fire_size"].to_numpy())
+    paper, evaluation = _curves(design, judged, known, spans, progress)
     return Burnt(before, after, objectives, paper, evaluation)
 
 
@@ -109,9 +113,9 @@ def fires_of(setting: Setting, judged: Judging) -> Callable[[Laid, np.ndarray | 
 
 
 def _curves(
-    design: Design, judged: Judging, spans: Mapping[str, tuple[float, float]], progress: Progress
+    design: Design, judged: Judging, known: Sizes, spans: Mapping[str, tuple[float, float]], progress: Progress
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """R(d_f) without a clock and with perfect breaks, and under the fires that judge the plan."""
+    """R(d_f) without a clock and with perfect breaks, and under the fires that judge the plan, some of them known."""
     setting, method = design.setting, design.setting.request.design.method
     baselines = {
         name: rank(setting.network, name, stakes=setting.stakes, seed=judged.fires.seed) for name in _baselines(method)
@@ -133,6 +137,7 @@ def _curves(
         judged.fires,
         budgets=design.budgets(few_budgets),
         ground=setting.ground,
+        known=known,
         threads=setting.threads,
         progress=part(progress, *spans["curve"], "evaluate with a clock: "),
     )
@@ -160,7 +165,7 @@ def seconds_of(setting: Setting, rankings: int) -> dict[str, float]:
     walls = {"stakes": setting.stakes, "lines": lines.asked(setting.request.design), **setting.about}
     ranking = ranking_seconds(network, method, **walls)
     curves = 1 + len(_baselines(method))
-    levels = few_budgets(0.1).size * judged.reburnt
+    levels = (few_budgets(0.1).size - 1) * judged.reburnt  # what burns where nothing is cut is known
     paper = each = fire_seconds(Ground(network), judged.paper, passes=curves, threads=threads)
     if judged.reburnt:
         # A pass of a curve draws for all levels at once; breaks make fires smaller, which is left out.

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
+import math
 from collections.abc import Callable, Mapping
+from functools import partial
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.breaks import Amount, BudgetUnit
@@ -11,8 +15,9 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.existing import Existing, existing_breaks
 from firebreak_gis.landscape.masks import mask_plane
 from firebreak_gis.landscape.sited import SitingRequest
+from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.planning.burning import USUAL, burnt_with, seconds_of
-from firebreak_gis.planning.designs import designed, rankings
+from firebreak_gis.planning.designs import Design, designed, rankings
 from firebreak_gis.planning.feasibility import Feasibility
 from firebreak_gis.planning.goals import Goal
 from firebreak_gis.planning.line_design import Widths
@@ -30,6 +35,7 @@ from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode, Outside
 from firebreak_gis.simulation.stations import as_travel
 from firebreak_gis.stakes import StakePlanes
+from firebreak_gis.threads import meanwhile, thread_count
 
 if TYPE_CHECKING:
     import numpy as np
@@ -225,6 +231,7 @@ def make_plan(
     threads: int | None = None,
     checked: Callable[[Feasibility], None] | None = None,
     foreseen: Callable[[Estimate], None] | None = None,
+    written: bool = False,
     progress: Progress | None = None,
 ) -> Plan:
     """Make the plan of a request: settled, designed, burnt, judged.
@@ -241,6 +248,8 @@ def make_plan(
         As in `plan`.
     foreseen
         Told, before the ranking, how long all will take; without it nobody looks.
+    written
+        Whether the plan will be written: while fires burn, a small map's segments are found and what draws is loaded.
     """
     request.require()
     report = progress or silent
@@ -254,5 +263,14 @@ def make_plan(
     spans = dict(zip(seconds, in_proportion(list(seconds.values()), 0.02, 1.0), strict=True))
     design = designed(setting, part(report, *spans["ranking"], f"rank by {request.design.method}: "))
     judged = design.under(setting.judged)
-    burnt = burnt_with(design, judged, spans, report)
+    ahead = written and math.prod(setting.network.shape) <= BLOCK_CELLS and thread_count(threads) > 1
+    with meanwhile(partial(_make_ready, design)) if ahead else contextlib.nullcontext():
+        burnt = burnt_with(design, judged, spans, report)
     return Plan.of(design, judged, burnt).over_years(progress=part(report, 1.0, 1.0, "years: "))
+
+
+def _make_ready(design: Design) -> None:
+    """Do what telling and writing a plan take that its fires do not; the design keeps its segments."""
+    for module in ("scipy.stats", "matplotlib.figure", "matplotlib.backends.backend_agg"):
+        import_module(module)
+    design.segments  # noqa: B018

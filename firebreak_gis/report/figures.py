@@ -98,7 +98,13 @@ def save(figure: Figure, path: str | os.PathLike[str], *, overwrite: bool = Fals
         layout.execute(figure)
         figure.set_layout_engine("none")
     drawn = io.BytesIO()
-    figure.savefig(drawn, dpi=dpi, format=kind, metadata=_DATES[kind])
+    if kind == "png":  # nor by savefig, which draws once to be sure of the layout
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+        figure.set_dpi(dpi)
+        FigureCanvasAgg(figure).print_png(drawn, metadata=_DATES[kind])  # type: ignore[no-untyped-call]
+    else:
+        figure.savefig(drawn, dpi=dpi, format=kind, metadata=_DATES[kind])
     write_bytes(target, drawn.getvalue(), overwrite=overwrite)
     return target
 

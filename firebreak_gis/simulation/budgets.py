@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -23,6 +24,37 @@ if TYPE_CHECKING:
     from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
     from firebreak_gis.simulation.ignitions import IgnitionMode
+
+
+class Sizes:
+    """Sizes of the fires of one request on one ground, by the cells that are cut: the same cells burn once."""
+
+    def __init__(self) -> None:
+        self._known: dict[bytes, np.ndarray] = {}
+
+    def of(self, breaks: np.ndarray | xr.DataArray | LineBreaks | None) -> np.ndarray | None:
+        """(n_runs,) if they are known; lines never are."""
+        return self._known.get(_told_by(breaks))
+
+    def keep(self, breaks: np.ndarray | xr.DataArray | LineBreaks | None, burnt: np.ndarray) -> np.ndarray:
+        """Keep and return them."""
+        if (key := _told_by(breaks)) != _LINES:
+            self._known[key] = burnt
+        return burnt
+
+
+#: In place of the cells of lines, which do not tell how fires meet them.
+_LINES = b"lines"
+
+
+def _told_by(breaks: np.ndarray | xr.DataArray | LineBreaks | None) -> bytes:
+    """The same for the same cells."""
+    from firebreak_gis.landscape.lines import LineBreaks
+
+    if isinstance(breaks, LineBreaks):
+        return _LINES
+    cut = np.zeros(0, bool) if breaks is None else np.asarray(breaks) > 0
+    return hashlib.blake2b(np.packbits(cut).tobytes()).digest() if cut.any() else b""
 
 
 def burn_curve(
@@ -77,6 +109,7 @@ def burn_budgets(
     *,
     budgets: Sequence[float] | np.ndarray,
     ground: Ground | None = None,
+    known: Sizes | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.DataArray:
@@ -90,6 +123,8 @@ def burn_budgets(
     ----------
     ground
         Where the fires burn, if that is not `network`, of whose fuel the budgets are shares.
+    known
+        As in `burn_each`.
     """
     ground = ground or Ground(network)
     require_priority(priority)
@@ -100,7 +135,8 @@ def burn_budgets(
         burn_levels(ground.network, start, levels.ravel(), burnt, request, threads, progress)
     else:
         plans = [levels < k for k in range(len(budgets))]
-        burnt = burn_each(ground, replace(request, ignitions=start), plans, threads=threads, progress=progress)
+        same = replace(request, ignitions=start)
+        burnt = burn_each(ground, same, plans, known=known, threads=threads, progress=progress)
     return _curve(network, burnt, budgets, request.seed)
 
 
@@ -109,14 +145,35 @@ def burn_each(
     request: FireRequest,
     plans: Sequence[np.ndarray | xr.DataArray | LineBreaks | None],
     *,
+    known: Sizes | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> np.ndarray:
-    """Cells burnt in every run under each of n plans by the same draws, (n_runs, n) int64; float64 with lines."""
+    """Burn the same fires under each of some plans, plans that cut the same cells once.
+
+    Parameters
+    ----------
+    ground, request
+        Where and how fires burn.
+    plans
+        n times breaks.
+    known
+        Of the same ground and request; what burns here is kept there.
+
+    Returns
+    -------
+    numpy.ndarray
+        (n_runs, n) int64 cells burnt in every run; float64 with lines.
+    """
+    known = Sizes() if known is None else known
     burnt = []
     for k, breaks in enumerate(plans):
         step = part(progress, k / len(plans), (k + 1) / len(plans))
-        burnt.append(burn_on(ground, request, breaks=breaks, threads=threads, progress=step)["fire_size"].to_numpy())
+        sizes = known.of(breaks)
+        if sizes is None:
+            burns = burn_on(ground, request, breaks=breaks, threads=threads, progress=step)
+            sizes = known.keep(breaks, burns["fire_size"].to_numpy())
+        burnt.append(sizes)
     return np.stack(burnt, axis=1)
 
 

@@ -11,7 +11,9 @@ from firebreak_gis import SpreadNetwork, evaluate, rank, select_breaks, simulate
 from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.curves import better_range, runs_table, summarise, table, tell_apart
 from firebreak_gis.kernels.draws import seed_for
+from firebreak_gis.landscape.lines import LineBreaks
 from firebreak_gis.planning.comparison import compare_plans, comparison_table
+from firebreak_gis.simulation import budgets, ground_fires
 from firebreak_gis.simulation.request import FireRequest
 
 
@@ -236,3 +238,40 @@ def test_bonacich_with_beta_1_is_the_eigenvector(network, orientation):
     near = rank(network, "bonacich", beta=1 - 1e-9, orientation=orientation).to_numpy()
     fuel = network.burnable
     np.testing.assert_allclose(near[fuel] / near[fuel].max(), one[fuel], atol=1e-6)
+
+
+def test_what_burns_under_the_same_cells_burns_once(network, priorities, monkeypatch):
+    """At no cut, which each ranking begins with, and where two agree; the numbers are those of fires of their own."""
+    burnt = []
+
+    def burn_on(*args, **how):
+        burnt.append(how["breaks"])
+        return ground_fires.burn_on(*args, **how)
+
+    monkeypatch.setattr(budgets, "burn_on", burn_on)
+    asked = [0.0, 0.1, 0.3]
+    more = {"duration": "4h", "hold": 0.5, "n_runs": 20, "seed": 7}
+    timed = SpreadNetwork(
+        network.probability, burnable=network.burnable, travel_time=np.full(network.probability.shape, 20.0)
+    )
+    same = priorities["random"].copy()
+    result = evaluate(timed, {**priorities, "again": same}, budgets=asked, **more)
+    assert len(burnt) == 1 + 3 * 2
+    for name, priority in priorities.items():
+        for budget in asked:
+            burns = simulate(timed, breaks=select_breaks(priority, budget=budget), **more)
+            got = result["burnt_cells"].sel(ranking=name, budget=budget)
+            np.testing.assert_array_equal(got, burns["fire_size"])
+    assert (result["burnt_cells"].sel(ranking="again") == result["burnt_cells"].sel(ranking="random")).all()
+
+
+def test_sizes_are_told_apart_by_every_cell(network):
+    sizes, one, other = budgets.Sizes(), np.zeros(network.shape), np.zeros(network.shape)
+    one[3, 4] = other[3, 5] = 1
+    for k, breaks in enumerate((None, one, other)):
+        assert sizes.of(breaks) is None
+        sizes.keep(breaks, np.array([k]))
+    assert [sizes.of(breaks).item() for breaks in (np.zeros(network.shape), one > 0, 2 * other)] == [0, 1, 2]
+    line = LineBreaks.__new__(LineBreaks)  # of cells that pass, lines do not tell how much stays open
+    sizes.keep(line, np.array([9]))
+    assert sizes.of(line) is None

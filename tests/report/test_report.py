@@ -112,11 +112,19 @@ def test_saving_is_whole_or_not_at_all(tmp_path, monkeypatch):
         figures.save(figure, tmp_path / "a.png")
     with pytest.raises(OutputError, match=r"\.bmp"):
         figures.save(figure, tmp_path / "a.bmp")
-    monkeypatch.setattr(type(figure), "savefig", lambda *_, **__: 1 / 0)
+    monkeypatch.setattr(type(figure), "draw", lambda *_, **__: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         figures.save(figure, tmp_path / "a.png", overwrite=True)
     assert (tmp_path / "a.png").read_bytes() == old
     assert [p.name for p in tmp_path.iterdir()] == ["a.png"]
+
+
+def test_a_picture_is_what_matplotlib_saves(tmp_path):
+    """Drawn once, in place of twice."""
+    figures.save(curve_figure(shares(3, 9)), tmp_path / "a.png", dpi=90)
+    with figures._own_settings():
+        curve_figure(shares(3, 9)).savefig(tmp_path / "b.png", dpi=90, metadata={"Software": None})
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
 
 
 def test_maps_are_in_kilometres_and_north_up(landscape):

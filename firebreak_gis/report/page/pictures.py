@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from firebreak_gis.keys import distinct
 from firebreak_gis.report.figures import hillshade, ramp, thin, thinning
 from firebreak_gis.report.page.content import Picture
 from firebreak_gis.schema import VARIABLES
@@ -99,9 +100,10 @@ def png(image: np.ndarray) -> str:
     from PIL import Image
 
     drawn = io.BytesIO()
-    colours, place = np.unique(np.ascontiguousarray(image).view(np.uint32), return_inverse=True)
+    points = np.ascontiguousarray(image).view(np.uint32)[..., 0]
+    colours = distinct(points)
     if colours.size <= 256:  # nothing is lost by a palette
-        picture = Image.fromarray(place.reshape(image.shape[:2]).astype(np.uint8), "P")
+        picture = Image.fromarray(np.searchsorted(colours, points).astype(np.uint8), "P")
         palette = colours.view(np.uint8).reshape(-1, 4)
         picture.putpalette(palette[:, :3].tobytes(), "RGB")
         picture.save(drawn, format="PNG", transparency=palette[:, 3].tobytes())

@@ -26,3 +26,19 @@ def keyed(*columns: np.ndarray) -> tuple[np.ndarray, tuple[int, ...]]:
     """
     sizes = tuple(int(column.max(initial=0)) + 1 for column in columns)
     return np.ravel_multi_index(columns, sizes), sizes
+
+
+def distinct(values: np.ndarray) -> np.ndarray:
+    """Sorted values without repetitions, of any shape, none of them NaN.
+
+    As `numpy.unique`, whose table of hashes (numpy 2.4) takes 5 to 30 times as long on whole numbers as sorting.
+
+    Examples
+    --------
+    >>> distinct(np.array([[3, 1], [1, 2]])).tolist()
+    [1, 2, 3]
+    """
+    rising = np.sort(values, axis=None)
+    first = np.ones(rising.size, bool)
+    np.not_equal(rising[1:], rising[:-1], out=first[1:])
+    return rising[first]
