@@ -62,6 +62,11 @@ class Session:
         if self.progress_mode == "json":
             threading.Thread(target=self._listen, daemon=True).start()
 
+    @property
+    def heard(self) -> bool:
+        """Whether anybody reads what is said, and how long the work takes."""
+        return self.verbosity >= 0 or self.progress_mode == "json"
+
     def say(self, text: str) -> None:
         """Tell the person something: on stderr, or a program as a line of JSON."""
         if self.verbosity < 0:

@@ -249,7 +249,7 @@ def make_plan(
     foreseen
         Told, before the ranking, how long all will take; without it nobody looks.
     written
-        Whether the plan will be written: while fires burn, a small map's segments are found and what draws is loaded.
+        Whether the plan will be written: for a small map, what draws is loaded and segments are found meanwhile.
     """
     request.require()
     report = progress or silent
@@ -261,16 +261,22 @@ def make_plan(
         seconds = seconds_of(setting, rankings(request.design))
         foreseen(Estimate(seconds, without=setting.uncounted))
     spans = dict(zip(seconds, in_proportion(list(seconds.values()), 0.02, 1.0), strict=True))
-    design = designed(setting, part(report, *spans["ranking"], f"rank by {request.design.method}: "))
-    judged = design.under(setting.judged)
     ahead = written and math.prod(setting.network.shape) <= BLOCK_CELLS and thread_count(threads) > 1
+    with meanwhile(_load_drawing) if ahead else contextlib.nullcontext():
+        design = designed(setting, part(report, *spans["ranking"], f"rank by {request.design.method}: "))
+    judged = design.under(setting.judged)
     with meanwhile(partial(_make_ready, design)) if ahead else contextlib.nullcontext():
         burnt = burnt_with(design, judged, spans, report)
     return Plan.of(design, judged, burnt).over_years(progress=part(report, 1.0, 1.0, "years: "))
 
 
+def _load_drawing() -> None:
+    """Load what pictures take."""
+    for module in ("matplotlib.figure", "matplotlib.backends.backend_agg"):
+        import_module(module)
+
+
 def _make_ready(design: Design) -> None:
     """Do what telling and writing a plan take that its fires do not; the design keeps its segments."""
-    for module in ("scipy.stats", "matplotlib.figure", "matplotlib.backends.backend_agg"):
-        import_module(module)
+    import_module("scipy.stats")
     design.segments  # noqa: B018

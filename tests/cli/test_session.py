@@ -112,6 +112,12 @@ def test_short_work_is_not_announced(clock, monkeypatch):
     assert session.seconds_left(0.0, clock.time) == 3.0
 
 
+def test_programs_hear_what_the_quiet_do_not(monkeypatch):
+    monkeypatch.setattr(module.threading.Thread, "start", lambda _: None)
+    assert [Session(verbosity=each).heard for each in (-1, 0, 1)] == [False, True, True]
+    assert Session(progress_mode="json", verbosity=-1).heard
+
+
 def test_programs_are_told_in_lines(clock, capsys, monkeypatch):
     monkeypatch.setattr(module.sys, "stdin", io.StringIO(""))
     monkeypatch.setattr(module.threading.Thread, "start", lambda _: None)

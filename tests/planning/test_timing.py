@@ -11,7 +11,7 @@ from click.testing import CliRunner
 import firebreak_gis as fb
 from firebreak_gis.breaks import Budget
 from firebreak_gis.cli import firebreak
-from firebreak_gis.planning import timing
+from firebreak_gis.planning import burning, pipeline, timing
 from firebreak_gis.planning.pipeline import make_plan
 from firebreak_gis.planning.request import DesignRequest, PlanRequest
 from firebreak_gis.planning.setting import settle
@@ -337,6 +337,20 @@ def test_commands_tell_what_takes_long(make_landscape, tmp_path, monkeypatch):
         assert "This takes about" in run(*words, "--overwrite"), name
         told = run(*words, "--overwrite", "--json")
         assert json.loads(told.splitlines()[-1])["result"]
+
+
+def test_a_plan_that_nobody_hears_does_not_look(make_landscape, tmp_path, monkeypatch):
+    from firebreak_gis.landscape import write_landscape
+
+    write_landscape(make_landscape((12, 15), seed=3), tmp_path / "land")
+    looked = []
+    monkeypatch.setattr(pipeline, "seconds_of", lambda *_: (looked.append(1), burning.USUAL)[1])
+    layers = [str(tmp_path / "land" / f"{name}.tif") for name in ("elevation", "vegetation", "density")]
+    words = ["plan", *layers, "--method", "degree", "--runs", "3", "-o", str(tmp_path / "plan"), "--overwrite"]
+    for more, times in ((["--quiet"], 0), ([], 1)):
+        outcome = CliRunner().invoke(firebreak, [*words, *more])
+        assert outcome.exit_code == 0, outcome.output
+        assert len(looked) == times, more
 
 
 def test_plans_of_lines_are_foreseen_by_lines(sample, monkeypatch):

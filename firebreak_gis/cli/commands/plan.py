@@ -148,7 +148,7 @@ def command(
         request,
         planes,
         checked=lambda found: _tell(session, found, strict=layers.strict),
-        foreseen=session.foresee,
+        foreseen=session.foresee if session.heard else None,
         written=True,
         progress=part(session.progress, 0.05, 0.95),
     )
