@@ -15,7 +15,7 @@ import numpy as np
 
 from firebreak_gis.errors import GridError, InputError, ParameterError
 from firebreak_gis.grid import Grid
-from firebreak_gis.keys import distinct
+from firebreak_gis.kernels.keys import distinct
 from firebreak_gis.rasters.units import read_amount
 from firebreak_gis.schema import VARIABLES, annotate
 

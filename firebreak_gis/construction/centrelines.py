@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.keys import distinct, keyed
+from firebreak_gis.kernels.keys import distinct, keyed
 
 if TYPE_CHECKING:
     import shapely

@@ -11,7 +11,7 @@ from firebreak_gis.construction.centrelines import Borders, draw_lines, find_bor
 from firebreak_gis.construction.compartments import Compartments, split, weights
 from firebreak_gis.construction.sequence import construction_order, gains
 from firebreak_gis.grid import outlines
-from firebreak_gis.keys import distinct, keyed
+from firebreak_gis.kernels.keys import distinct, keyed
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.schema import MapLayer, card, one_line
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from firebreak_gis.keys import distinct, keyed
+from firebreak_gis.kernels.keys import distinct, keyed
 
 
 def construction_order(

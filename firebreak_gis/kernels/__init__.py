@@ -1,1 +1,1 @@
-"""Loops over arrays, compiled by numba. No xarray, no files, no errors raised here."""
+"""Loops over arrays, compiled by numba, and keys for rows of numbers. No xarray, no files, no errors raised here."""

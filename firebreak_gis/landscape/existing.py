@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.keys import distinct
+from firebreak_gis.kernels.keys import distinct
 from firebreak_gis.landscape.footprints import close_corners, footprints
 from firebreak_gis.landscape.masks import mask_plane
 from firebreak_gis.landscape.target_grid import Account

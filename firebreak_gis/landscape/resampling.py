@@ -28,7 +28,7 @@ import numpy as np
 from affine import Affine
 
 from firebreak_gis.grid import Grid
-from firebreak_gis.keys import distinct
+from firebreak_gis.kernels.keys import distinct
 from firebreak_gis.projections import transform
 
 if TYPE_CHECKING:

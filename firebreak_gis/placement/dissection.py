@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from firebreak_gis.keys import distinct
+from firebreak_gis.kernels.keys import distinct
 from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.placement.patches import COARSE_FROM, Patches, Walls
 from firebreak_gis.progress import part, silent

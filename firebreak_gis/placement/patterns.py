@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from firebreak_gis.breaks import Budget
+from firebreak_gis.kernels.keys import distinct
 from firebreak_gis.kernels.patches import patch_links, pieces_after
-from firebreak_gis.keys import distinct
 from firebreak_gis.lattice import AZIMUTH, COL_STEP, ROW_STEP
 from firebreak_gis.placement.bending import bent, is_even, prices
 from firebreak_gis.placement.dissection import along, lines_first

@@ -17,9 +17,9 @@ import numpy as np
 from firebreak_gis.kernels.bisection import best_cut
 from firebreak_gis.kernels.coarse import blocks
 from firebreak_gis.kernels.flow import UNCUTTABLE
+from firebreak_gis.kernels.keys import distinct
 from firebreak_gis.kernels.patches import thin
 from firebreak_gis.kernels.squares import UNNUMBERED, number_blocks
-from firebreak_gis.keys import distinct
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.placement.coarsening import coarse_costs, coarse_price, factor_for
 from firebreak_gis.placement.patches import SIDES, sorted_along

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from firebreak_gis.keys import distinct
+from firebreak_gis.kernels.keys import distinct
 from firebreak_gis.placement.choosing import Choice, all_hold
 from firebreak_gis.placement.parts import parts_of
 from firebreak_gis.placement.widening import around, wall_costs, walls

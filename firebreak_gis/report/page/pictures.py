@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from firebreak_gis.keys import distinct
+from firebreak_gis.kernels.keys import distinct
 from firebreak_gis.report.figures import hillshade, ramp, thin, thinning
 from firebreak_gis.report.page.content import Picture
 from firebreak_gis.schema import VARIABLES

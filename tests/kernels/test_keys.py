@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from firebreak_gis.keys import distinct, keyed
+from firebreak_gis.kernels.keys import distinct, keyed
 
 
 @pytest.mark.parametrize("dtype", [bool, np.uint8, np.int32, np.int64, np.float64])
