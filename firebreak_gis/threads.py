@@ -5,20 +5,18 @@ from __future__ import annotations
 import contextlib
 import heapq
 import os
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from functools import partial
 from itertools import count
-from threading import Event, Lock, Thread
-from typing import Generic, TypeVar
+from threading import Event, Thread
+from typing import TypeVar
 
-from firebreak_gis.errors import Cancelled, ParameterError, ResourceError
-from firebreak_gis.progress import Progress, part
+from firebreak_gis.errors import ParameterError, ResourceError
+from firebreak_gis.progress import Progress
 
 Piece = TypeVar("Piece")
 Result = TypeVar("Result")
-Key = TypeVar("Key", bound=Hashable)
-Value = TypeVar("Value")
 
 _LISTEN_EVERY = 0.2  # seconds
 _NO_THREAD = "the system starts no further thread; raise its limit or allow more memory"
@@ -146,82 +144,6 @@ def run_growing(
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
     progress(1.0, message())
-
-
-def run_jobs(jobs: Sequence[Callable[[Progress], None]], *, at_once: int, progress: Progress) -> None:
-    """Run jobs that use threads of their own, some at a time: what one does alone fills the gaps of another.
-
-    Parameters
-    ----------
-    jobs
-        Called with their progress, which raises once the others are to stop.
-    at_once
-        How many; 1: in turn, on the calling thread.
-    progress
-        Told the share of all, as long as they work at least five times a second, on the calling thread.
-
-    Raises
-    ------
-    ResourceError
-        If no thread can be started.
-    """
-    if at_once == 1:
-        for k, job in enumerate(jobs):
-            job(part(progress, k / len(jobs), (k + 1) / len(jobs)))
-        return
-    shares, said, stopped = [0.0] * len(jobs), [""], Event()
-
-    def listen(k: int, share: float, message: str) -> None:
-        if stopped.is_set():
-            raise Cancelled("stopped beside other work")
-        shares[k], said[0] = share, message
-
-    def work(k: int) -> None:
-        jobs[k](partial(listen, k))
-        shares[k] = 1.0
-
-    def told(_share: float, _message: str) -> None:
-        progress(sum(shares) / len(jobs), said[0])
-
-    try:
-        run_pieces(work, range(len(jobs)), threads=at_once, progress=told, message="")
-    finally:
-        stopped.set()
-
-
-class Once(Generic[Key, Value]):
-    """Values by key, each made by the first thread that asks for it, while others that ask for the same wait.
-
-    Parameters
-    ----------
-    keep
-        How many are remembered, those made last; None: all.
-
-    Examples
-    --------
-    >>> once = Once()
-    >>> once("a", lambda: 1), once("a", lambda: 2), once("b", lambda: 3)
-    (1, 1, 3)
-    """
-
-    def __init__(self, keep: int | None = None) -> None:
-        self._keep, self._lock = keep, Lock()
-        self._made: dict[Key, Value] = {}
-        self._making: dict[Key, Lock] = {}
-
-    def __call__(self, key: Key, make: Callable[[], Value]) -> Value:
-        """Return the value; `make` is called if there is none, and may fail, after which the next one tries."""
-        with self._lock:
-            making = self._making.setdefault(key, Lock())
-        with making:
-            if key in self._made:
-                return self._made[key]
-            value = make()
-            with self._lock:
-                self._made[key] = value
-                for old in list(self._made)[: -self._keep] if self._keep else ():
-                    del self._made[old]
-            return value
 
 
 @contextlib.contextmanager

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import concurrent.futures
-import functools
 import os
 import threading
 import time
@@ -13,7 +12,7 @@ import pytest
 import firebreak_gis.threads
 from firebreak_gis.errors import Cancelled, ParameterError
 from firebreak_gis.progress import silent
-from firebreak_gis.threads import Once, meanwhile, run_growing, run_jobs, run_pieces, thread_count
+from firebreak_gis.threads import meanwhile, run_growing, run_pieces, thread_count
 
 
 @pytest.mark.parametrize("threads", [1, 2, 5])
@@ -181,104 +180,3 @@ def test_a_body_that_fails_does_not_wait_for_what_is_done_meanwhile():
         assert not gate.is_set()
     finally:
         gate.set()
-
-
-@pytest.mark.parametrize("at_once", [1, 2, 5])
-def test_all_jobs_are_run_and_their_shares_add_up(at_once):
-    heard, done = [], []
-
-    def job(k, progress):
-        for share in (0.3, 0.8):
-            progress(share, f"job {k}")
-            time.sleep(0.01)
-        done.append(k)
-
-    jobs = [functools.partial(job, k) for k in range(7)]
-    run_jobs(jobs, at_once=at_once, progress=lambda share, message: heard.append((share, threading.current_thread())))
-    assert sorted(done) == list(range(7))
-    shares = [share for share, _ in heard]
-    assert shares == sorted(shares)
-    assert shares[-1] == pytest.approx(1.0, abs=0.1 if at_once == 1 else 1e-9)
-    assert {thread for _, thread in heard} == {threading.current_thread()}
-
-
-def test_jobs_run_side_by_side():
-    meet = threading.Barrier(3, timeout=20)
-    run_jobs([lambda _: meet.wait()] * 3, at_once=3, progress=silent)
-
-
-def test_a_stop_reaches_jobs_at_work_and_those_that_wait_never_begin():
-    begun, ended, gate = [], [], threading.Event()
-
-    def job(k, progress):
-        begun.append(k)
-        gate.set()
-        try:
-            while True:
-                progress(0.5, "working")
-                time.sleep(0.01)
-        finally:
-            ended.append(k)
-
-    def stop(share, message):
-        if gate.is_set():
-            raise Cancelled("stopped")
-
-    with pytest.raises(Cancelled, match=r"^stopped$"):
-        run_jobs([functools.partial(job, k) for k in range(9)], at_once=2, progress=stop)
-    until = time.monotonic() + 20
-    while len(ended) < len(begun) and time.monotonic() < until:
-        time.sleep(0.01)
-    assert sorted(ended) == sorted(begun)
-    assert len(begun) <= 2
-
-
-def test_a_job_that_fails_stops_the_others():
-    ended = threading.Event()
-
-    def endless(progress):
-        try:
-            while True:
-                progress(0.1, "")
-                time.sleep(0.01)
-        finally:
-            ended.set()
-
-    with pytest.raises(ParameterError, match="of the work"):
-        run_jobs([endless, lambda _: _fail()], at_once=2, progress=silent)
-    assert ended.wait(20)
-
-
-def test_what_many_ask_for_at_a_time_is_made_once():
-    made, once = [], Once()
-
-    def make(key):
-        time.sleep(0.02)
-        made.append(key)
-        return [key]
-
-    found = []
-    run_pieces(
-        lambda k: found.append(once(k % 3, lambda: make(k % 3))), range(30), threads=6, progress=silent, message=""
-    )
-    assert sorted(made) == [0, 1, 2]
-    assert len({id(value) for value in found}) == 3
-
-
-def test_different_things_are_made_at_a_time():
-    meet, once = threading.Barrier(2, timeout=20), Once()
-    run_pieces(lambda k: once(k, meet.wait), range(2), threads=2, progress=silent, message="")
-
-
-def test_what_could_not_be_made_is_tried_again():
-    once = Once()
-    with pytest.raises(ParameterError):
-        once("key", _fail)
-    assert once("key", lambda: 5) == 5
-
-
-def test_only_the_last_are_remembered():
-    once = Once(keep=2)
-    assert [once(key, lambda key=key: key * 10) for key in (1, 2, 3)] == [10, 20, 30]
-    assert [once(key, lambda: "new") for key in (2, 3, 1)] == [20, 30, "new"]
-    assert once(2, lambda: "again") == "again"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,12 +16,10 @@ from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.planning.design import Designs
 from firebreak_gis.planning.line_design import LineDesign
 from firebreak_gis.progress import Progress, part, silent
-from firebreak_gis.simulation.engine import in_use
 from firebreak_gis.simulation.fires import burn, resolved
 from firebreak_gis.simulation.ground import Ground
 from firebreak_gis.simulation.request import FireRequest
 from firebreak_gis.stakes import Stakes
-from firebreak_gis.threads import run_jobs, thread_count
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -31,9 +28,6 @@ if TYPE_CHECKING:
     from firebreak_gis.landscape.lines import LineBreaks
     from firebreak_gis.network import SpreadNetwork
 
-
-#: On maps of so many cells several designs are made at a time, at most so many; on larger ones each keeps all busy.
-_SMALL, _AT_ONCE = 250_000, 4
 
 #: Makes the plan for a budget (a share) and a residual, reporting its progress; the same object for the same plan.
 Planner = Callable[[float, float, Progress], Any]
@@ -166,11 +160,11 @@ def compare_plans(
     shape = (len(plans), len(budgets), len(residuals), fires.n_runs)
     burnt, lost, taken = np.zeros(shape), np.zeros(shape), np.zeros((3, *shape[:3]))
     price = network.burnable.astype(np.float64) if cost is None else cost
-
-    def made_and_burnt(i: int, j: int, progress: Progress) -> None:
-        """All budgets of a method at a residual."""
+    steps = [(i, j) for i in range(len(plans)) for j in range(len(residuals))]
+    for n, (i, j) in enumerate(steps):
         (label, plan), residual = list(plans.items())[i], residuals[j]
-        step = part(progress, 0.0, 1.0, f"{label}, residual {residual:g}: ")
+        span = (0.02 + 0.98 * n / len(steps), 0.02 + 0.98 * (n + 1) / len(steps))
+        step = part(report, *span, f"{label}, residual {residual:g}: ")
         made: list[Any] = [
             plan(b, residual, part(step, 0.6 * k / len(budgets), 0.6 * (k + 1) / len(budgets)))
             if callable(plan)
@@ -190,9 +184,6 @@ def compare_plans(
             threads,
             part(step, 0.6, 1.0),
         )
-
-    jobs = [partial(made_and_burnt, i, j) for i in range(len(plans)) for j in range(len(residuals))]
-    run_jobs(jobs, at_once=_at_once(network, threads), progress=part(report, 0.02, 1.0))
     if np.isnan(taken).all():
         raise ParameterError(
             "no method has a plan: no budget pays the first wall of lines, or treated cells keep something; give "
@@ -216,12 +207,6 @@ def compare_plans(
             "priced": value is not None and cost is not None,
         },
     )
-
-
-def _at_once(network: SpreadNetwork, threads: int | None) -> int:
-    """How many designs are made at a time: where a map is large, or others make the parts, one takes all there is."""
-    alone = network.burnable.size > _SMALL or in_use() is not None
-    return 1 if alone else min(thread_count(threads), _AT_ONCE)
 
 
 @dataclass(frozen=True, eq=False)

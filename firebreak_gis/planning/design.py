@@ -19,7 +19,6 @@ from firebreak_gis.planning.refinement import refine as improve
 from firebreak_gis.planning.thickening import thickened
 from firebreak_gis.progress import Progress, part, silent
 from firebreak_gis.stakes import Stakes
-from firebreak_gis.threads import Once
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -218,15 +217,20 @@ class Designs:
         self._network, self._stakes = network, stakes
         self._module = plugins.load("ranking", method)
         self._rank = ranking.rankings(network, method, stakes=stakes, seed=seed)
-        self._params, self._width = dict(params or {}), width
+        self._params, self._width, self._keep = dict(params or {}), width, keep
         self._planes = {"elevation": elevation, "roads": roads}
         self._trial = trial
-        self._once: Once[tuple[Any, ...], xr.DataArray] = Once(keep)
+        self._made: dict[tuple[Any, ...], xr.DataArray] = {}
 
     def __call__(self, budget: float | Budget, residual: float, progress: Progress) -> xr.DataArray:
         """Return the priority of the plan; the same object for equal plans."""
         amount = Budget.of(budget)
-        return self._once(self._settled(amount, residual), lambda: self._make(amount, residual, progress))
+        key = self._settled(amount, residual)
+        if key not in self._made:
+            self._made[key] = self._make(amount, residual, progress)
+            for old in list(self._made)[: -self._keep] if self._keep else ():
+                del self._made[old]
+        return self._made[key]
 
     def distinct(self, budgets: Iterable[float], residuals: Iterable[float] = (0.0,)) -> int:
         """How many different plans there are for these budgets and residuals."""

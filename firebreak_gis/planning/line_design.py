@@ -21,7 +21,6 @@ from firebreak_gis.landscape.lines import LineBreaks, laid_on
 from firebreak_gis.planning.wall_shapes import joined, on_map, resting
 from firebreak_gis.schema import annotate
 from firebreak_gis.simulation.holding import Hold
-from firebreak_gis.threads import Once
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -131,17 +130,23 @@ class Walls:
 
     def __init__(self, network: SpreadNetwork, stakes: Stakes, threads: int | None = None) -> None:
         self._network, self._stakes, self._threads = network, stakes, threads
-        self._once: Once[tuple[int, int], list[LineCut]] = Once()
+        self._found: dict[tuple[int, int], list[LineCut]] = {}
 
     def __call__(self, directions: int, smallest: int, progress: Progress) -> list[LineCut]:
         """As `placement.lines.dissect_by_lines` returns them."""
         from firebreak_gis.placement.lines import dissect_by_lines
 
-        def sought() -> list[LineCut]:
-            about: dict[str, Any] = {"threads": self._threads, "progress": progress}
-            return dissect_by_lines(self._network, self._stakes, directions=directions, smallest=smallest, **about)
-
-        return self._once((directions, smallest), sought)
+        key = directions, smallest
+        if key not in self._found:
+            self._found[key] = dissect_by_lines(
+                self._network,
+                self._stakes,
+                directions=directions,
+                smallest=smallest,
+                threads=self._threads,
+                progress=progress,
+            )
+        return self._found[key]
 
 
 def design_lines(

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 from firebreak_gis.breaks import Budget
 from firebreak_gis.planning.designs.lines import width_of
 from firebreak_gis.planning.line_design import LineDesign, Walls, design_lines
-from firebreak_gis.threads import Once
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
@@ -52,17 +51,18 @@ class LineDesigns:
             "walls": walls or Walls(network, stakes, threads),
             "threads": threads,
         }
-        self._once: Once[tuple[Budget, float], LineDesign] = Once()
+        self._made: dict[tuple[Budget, float], LineDesign] = {}
 
     def __call__(self, budget: float | Budget, residual: float, progress: Progress) -> LineDesign | None:
         """Return the plan; None where there is none, or its budget pays no wall, where `plan` cuts cells."""
         amount = Budget.of(budget)
         if self._usual and residual:
             return None
-        trial = None if self._trial is None else self._trial.under(residual)
-        about = {"budget": amount, "trial": trial, **self._about, "progress": progress}
-        made = self._once((amount, residual), lambda: design_lines(self._network, **about))
-        return made if made.bought(amount) else None
+        key = amount, residual
+        if key not in self._made:
+            trial = None if self._trial is None else self._trial.under(residual)
+            self._made[key] = design_lines(self._network, budget=amount, trial=trial, **self._about, progress=progress)
+        return self._made[key] if self._made[key].bought(amount) else None
 
     def distinct(self, budgets: Iterable[float], residuals: Iterable[float] = (0.0,)) -> int:
         """How often walls are sought for these budgets and residuals: once, if there is any plan."""

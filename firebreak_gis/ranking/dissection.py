@@ -34,7 +34,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from firebreak_gis.plugins import parameter, require_width
-from firebreak_gis.threads import Once
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -135,21 +134,22 @@ def rankings(
     from firebreak_gis.placement.widening import best_width
     from firebreak_gis.ranking import Ranked
 
-    walls: Once[Params, np.ndarray] = Once()
-    sought: Once[Params, Walls] = Once()
-
-    def key(params: Params, width: int) -> Params:
-        return Params(params.directions, params.smallest, width, residual=float(params.residual > 0.0))
+    walls: dict[Params, np.ndarray] = {}
+    sought: dict[Params, Walls] = {}
 
     def cuts_for(params: Params, width: int, progress: Progress) -> Walls:
-        found = sought(key(params, width), lambda: _as_it_lies(network, stakes, params, width, progress))
+        key = Params(params.directions, params.smallest, width, residual=float(params.residual > 0.0))
+        if key not in sought:
+            sought[key] = _as_it_lies(network, stakes, params, width, progress)
         progress(1.0, f"walls of {width} cells")
-        return found
+        return sought[key]
 
     def walled(network: SpreadNetwork, params: Params, stakes: Stakes, width: int, progress: Progress) -> np.ndarray:
-        found = walls(key(params, width), lambda: _walls_first(network, params, stakes, width, progress))
+        key = Params(params.directions, params.smallest, width, residual=float(params.residual > 0.0))
+        if key not in walls:
+            walls[key] = _walls_first(network, params, stakes, width, progress)
         progress(1.0, f"walls of {width} cells")
-        return found
+        return walls[key]
 
     def one(params: Params, progress: Progress, trial: Trial | None = None) -> Ranked:
         require_width(__name__, params.width, params.least_width)

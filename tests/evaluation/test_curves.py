@@ -12,13 +12,9 @@ from firebreak_gis.errors import ParameterError
 from firebreak_gis.evaluation.curves import better_range, runs_table, summarise, table, tell_apart
 from firebreak_gis.kernels.draws import seed_for
 from firebreak_gis.landscape.lines import LineBreaks
-from firebreak_gis.planning import comparison
 from firebreak_gis.planning.comparison import compare_plans, comparison_table
-from firebreak_gis.planning.design import Designs
 from firebreak_gis.simulation import budgets, ground_fires
-from firebreak_gis.simulation.engine import Engine, using
 from firebreak_gis.simulation.request import FireRequest
-from firebreak_gis.stakes import Stakes
 
 
 @pytest.fixture(scope="module")
@@ -190,30 +186,6 @@ def test_comparison_is_made_on_fresh_shared_fires(network, priorities):
     assert row["cvar_ha"] == pytest.approx(np.sort(picked)[-5:].mean() * area)
     saved = (result["burnt_untreated"].to_numpy() - picked).mean() / row["cells_cut"]
     assert row["leverage"] == pytest.approx(saved)
-
-
-def test_designs_made_at_a_time_are_those_made_in_turn(network, monkeypatch):
-    """Whatever the threads, each plan is made once, and an engine that counts its calls is called in turn."""
-    stakes, fires = Stakes(network), FireRequest(n_runs=20, seed=3)
-    about = {"budgets": [0.05, 0.2], "residuals": [0.0, 0.05, 0.1]}
-    made, ran = [], []
-    make = Designs._make
-    monkeypatch.setattr(Designs, "_make", lambda self, *args: (made.append(args[:2]), make(self, *args))[1])
-    run = comparison.run_jobs
-    monkeypatch.setattr(comparison, "run_jobs", lambda jobs, **how: (ran.append(how["at_once"]), run(jobs, **how)))
-
-    def compared(threads, engine=None):
-        plans = {name: Designs(network, name, stakes=stakes) for name in ("dissection", "degree", "compartments")}
-        made.clear()
-        with using(engine):
-            result = compare_plans(network, plans, fires, **about, threads=threads)
-        assert len(made) == sum(plan.distinct(about["budgets"], about["residuals"]) for plan in plans.values())
-        return result
-
-    alone = compared(1)
-    for result in (compared(2), compared(3), compared(2, Engine())):
-        assert result.identical(alone)
-    assert ran == [1, 2, 3, 1]
 
 
 def test_value_lost_is_summed_over_burnt_cells():
