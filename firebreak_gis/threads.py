@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
 import heapq
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from functools import partial
 from itertools import count
-from threading import Event, Thread
+from threading import Event
 from typing import TypeVar
 
 from firebreak_gis.errors import ParameterError, ResourceError
@@ -19,7 +18,6 @@ Piece = TypeVar("Piece")
 Result = TypeVar("Result")
 
 _LISTEN_EVERY = 0.2  # seconds
-_NO_THREAD = "the system starts no further thread; raise its limit or allow more memory"
 
 
 def thread_count(threads: int | None) -> int:
@@ -146,47 +144,8 @@ def run_growing(
     progress(1.0, message())
 
 
-@contextlib.contextmanager
-def meanwhile(work: Callable[[], object]) -> Iterator[None]:
-    """Do work on a thread of its own while the body of a ``with`` goes on, whose end waits for it.
-
-    An error of the work comes out there. Where the body fails the work is left to itself, and its outcome is lost.
-
-    Examples
-    --------
-    >>> done = []
-    >>> with meanwhile(lambda: done.append("work")):
-    ...     pass
-    >>> done
-    ['work']
-
-    Raises
-    ------
-    ResourceError
-        If no thread can be started.
-    """
-    failed: list[BaseException] = []
-
-    def run() -> None:
-        try:
-            work()
-        except BaseException as error:
-            failed.append(error)
-
-    thread = Thread(target=run, daemon=True)
-    try:
-        thread.start()
-    except RuntimeError as error:
-        raise ResourceError(_NO_THREAD) from error
-    yield
-    while thread.is_alive():  # in short waits: a stop by Ctrl-C is heard between them
-        thread.join(_LISTEN_EVERY)
-    if failed:
-        raise failed[0]
-
-
 def _submitted(pool: ThreadPoolExecutor, work: Callable[[], Result]) -> Future[Result]:
     try:
         return pool.submit(work)
     except RuntimeError as error:
-        raise ResourceError(_NO_THREAD) from error
+        raise ResourceError("the system starts no further thread; raise its limit or allow more memory") from error

@@ -12,7 +12,7 @@ import pytest
 import firebreak_gis.threads
 from firebreak_gis.errors import Cancelled, ParameterError
 from firebreak_gis.progress import silent
-from firebreak_gis.threads import meanwhile, run_growing, run_pieces, thread_count
+from firebreak_gis.threads import run_growing, run_pieces, thread_count
 
 
 @pytest.mark.parametrize("threads", [1, 2, 5])
@@ -145,38 +145,3 @@ def test_number_of_threads(monkeypatch):
             thread_count(None)
     with pytest.raises(ParameterError):
         thread_count(0)
-
-
-def test_work_goes_on_meanwhile_and_is_waited_for():
-    done, meet = [], threading.Barrier(2, timeout=20)
-
-    def work():
-        meet.wait()
-        time.sleep(0.05)
-        done.append(threading.current_thread())
-
-    with meanwhile(work):
-        meet.wait()
-    assert done
-    assert done[0] is not threading.current_thread()
-
-
-def test_an_error_of_work_done_meanwhile_comes_out_at_the_end():
-    done = []
-    with pytest.raises(ParameterError, match="of the work"), meanwhile(_fail):
-        done.append("body")
-    assert done
-
-
-def _fail():
-    raise ParameterError("of the work")
-
-
-def test_a_body_that_fails_does_not_wait_for_what_is_done_meanwhile():
-    gate = threading.Event()
-    try:
-        with pytest.raises(Cancelled), meanwhile(lambda: gate.wait(20)):
-            raise Cancelled("stopped")
-        assert not gate.is_set()
-    finally:
-        gate.set()

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
-import math
 from collections.abc import Callable, Mapping
-from functools import partial
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.breaks import Amount, BudgetUnit
@@ -15,9 +11,8 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.existing import Existing, existing_breaks
 from firebreak_gis.landscape.masks import mask_plane
 from firebreak_gis.landscape.sited import SitingRequest
-from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.planning.burning import USUAL, burnt_with, seconds_of
-from firebreak_gis.planning.designs import Design, designed, rankings
+from firebreak_gis.planning.designs import designed, rankings
 from firebreak_gis.planning.feasibility import Feasibility
 from firebreak_gis.planning.goals import Goal
 from firebreak_gis.planning.line_design import Widths
@@ -35,7 +30,6 @@ from firebreak_gis.simulation.holding import as_hold
 from firebreak_gis.simulation.request import FireRequest, IgnitionMode, Outside
 from firebreak_gis.simulation.stations import as_travel
 from firebreak_gis.stakes import StakePlanes
-from firebreak_gis.threads import meanwhile, thread_count
 
 if TYPE_CHECKING:
     import numpy as np
@@ -231,7 +225,6 @@ def make_plan(
     threads: int | None = None,
     checked: Callable[[Feasibility], None] | None = None,
     foreseen: Callable[[Estimate], None] | None = None,
-    written: bool = False,
     progress: Progress | None = None,
 ) -> Plan:
     """Make the plan of a request: settled, designed, burnt, judged.
@@ -248,8 +241,6 @@ def make_plan(
         As in `plan`.
     foreseen
         Told, before the ranking, how long all will take; without it nobody looks.
-    written
-        Whether the plan will be written: for a small map, what draws is loaded and segments are found meanwhile.
     """
     request.require()
     report = progress or silent
@@ -261,22 +252,7 @@ def make_plan(
         seconds = seconds_of(setting, rankings(request.design))
         foreseen(Estimate(seconds, without=setting.uncounted))
     spans = dict(zip(seconds, in_proportion(list(seconds.values()), 0.02, 1.0), strict=True))
-    ahead = written and math.prod(setting.network.shape) <= BLOCK_CELLS and thread_count(threads) > 1
-    with meanwhile(_load_drawing) if ahead else contextlib.nullcontext():
-        design = designed(setting, part(report, *spans["ranking"], f"rank by {request.design.method}: "))
+    design = designed(setting, part(report, *spans["ranking"], f"rank by {request.design.method}: "))
     judged = design.under(setting.judged)
-    with meanwhile(partial(_make_ready, design)) if ahead else contextlib.nullcontext():
-        burnt = burnt_with(design, judged, spans, report)
+    burnt = burnt_with(design, judged, spans, report)
     return Plan.of(design, judged, burnt).over_years(progress=part(report, 1.0, 1.0, "years: "))
-
-
-def _load_drawing() -> None:
-    """Load what pictures take."""
-    for module in ("matplotlib.figure", "matplotlib.backends.backend_agg"):
-        import_module(module)
-
-
-def _make_ready(design: Design) -> None:
-    """Do what telling and writing a plan take that its fires do not; the design keeps its segments."""
-    import_module("scipy.stats")
-    design.segments  # noqa: B018

@@ -149,7 +149,6 @@ def command(
         planes,
         checked=lambda found: _tell(session, found, strict=layers.strict),
         foreseen=session.foresee if session.heard else None,
-        written=True,
         progress=part(session.progress, 0.05, 0.95),
     )
     for key, say in (("alignment", session.say), ("warnings", session.warn)):  # what was done to the weather
