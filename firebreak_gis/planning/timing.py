@@ -212,10 +212,18 @@ def runs_seconds(
     """
     with using(None):
         work(1)  # what is loaded at the first call does not count
-        one = worked(partial(work, 1), now)
+        one = min(worked(partial(work, 1), now) for _ in range(2))
         count = int(min(max(n_runs * times * _PILOT, 2.0), _MOST_FIRES))
-        each = max(worked(partial(work, count), now) - one, 0.0) / (count - 1)
+        each = _each(one, 1, worked(partial(work, count), now), count)
     return times * (max(one - each, 0.0) + each * n_runs / _faster(None)) + (times - 1.0) * before
+
+
+def _each(short: float, few: int, long: float, many: int) -> float:
+    """Seconds of a run, from those of a few and of many, which both take so long before.
+
+    On a busy machine the few may have taken longer; then what comes before is not taken off.
+    """
+    return (long - short) / (many - few) if long > short else long / many
 
 
 def window_seconds(
@@ -238,7 +246,7 @@ def window_seconds(
         burn_in(k, 1)
         first.append(worked(partial(burn_in, k, few), now))
         if more > few:
-            each.append(max(worked(partial(burn_in, k, more), now) - first[-1], 0.0) / (more - few))
+            each.append(_each(first[-1], few, worked(partial(burn_in, k, more), now), more))
             first[-1] -= min((few - 1) * each[-1], first[-1])
     run = float(np.mean(each)) if each else 0.0
     whole = float(np.mean(first)) * len(counts) + run * (sum(counts) - len(counts))

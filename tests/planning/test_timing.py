@@ -162,9 +162,23 @@ def test_simulations_are_told_by_one_run_and_a_few():
         clock.time += 3.0 + 0.5 * count
 
     assert runs_seconds(work, 1000, 7.0, now=clock) == pytest.approx(3.0 + 500.0)
-    assert seen == [1, 1, 20]
+    assert seen == [1, 1, 1, 20]
     assert runs_seconds(work, 1000, 7.0, times=4.0, now=clock) == pytest.approx(4 * 503.0 + 3 * 7.0)
     assert seen[-1] == 64
+
+
+@pytest.mark.parametrize("held_up", [{2}, {3}, {2, 3}])
+def test_a_run_that_was_held_up_makes_simulations_no_shorter(held_up):
+    """As on a machine with other work: by a run that took longer than the few, all others would take no time."""
+    clock, calls = Clock(), []
+
+    def work(count):
+        calls.append(count)
+        clock.time += 3.0 + 0.5 * count + 60.0 * (len(calls) in held_up)
+
+    found = runs_seconds(work, 1000, 7.0, now=clock)
+    assert found >= 503.0
+    assert found == pytest.approx(503.0) if len(held_up) == 1 else found < 1000.0
 
 
 def test_windows_are_told_by_two_of_them(monkeypatch):
@@ -183,6 +197,14 @@ def test_windows_are_told_by_two_of_them(monkeypatch):
         found = window_seconds(None, None, side=16, threads=threads, now=clock)
         assert found == pytest.approx(whole / min(threads, len(counts)))
     assert set(seen) == {(k, count) for k in (2, 4) for count in (1, 8, 64)}
+
+    def held_up(k, count):
+        burn(k, count)
+        clock.time += 60.0 * (count == 8)  # the few take longer than the many
+
+    monkeypatch.setattr(timing, "window_work", lambda *_, **__: (counts, held_up))
+    assert window_seconds(None, None, side=16, threads=1, now=clock) > whole
+    monkeypatch.setattr(timing, "window_work", lambda *_, **__: (counts, burn))
     counts[:] = [5, 3]  # too few to tell what one more costs
     assert window_seconds(None, None, side=16, threads=1, now=clock) > 0.0
 
