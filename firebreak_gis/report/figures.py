@@ -92,16 +92,15 @@ def save(figure: Figure, path: str | os.PathLike[str], *, overwrite: bool = Fals
     if kind not in _DATES:
         raise OutputError(f"{target.name} has no known picture extension; expected .{', .'.join(_DATES)}")
     # Laid out here, once: to print a figure that has yet to be laid out, matplotlib draws it twice.
+    figure.set_dpi(dpi)
     layout = figure.get_layout_engine()
     if layout is not None and figure.axes:  # there is nothing to lay out in a figure of words alone
-        figure.set_dpi(dpi)
         layout.execute(figure)
         figure.set_layout_engine("none")
     drawn = io.BytesIO()
     if kind == "png":  # nor by savefig, which draws once to be sure of the layout
         from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-        figure.set_dpi(dpi)
         FigureCanvasAgg(figure).print_png(drawn, metadata=_DATES[kind])  # type: ignore[no-untyped-call]
     else:
         figure.savefig(drawn, dpi=dpi, format=kind, metadata=_DATES[kind])
