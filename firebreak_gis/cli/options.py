@@ -73,7 +73,9 @@ def common(command: F) -> F:
     def wrapper(*args: Any, as_json: bool, progress_mode: str, verbose: bool, quiet: bool, **kwargs: Any) -> Any:
         memory.return_large()
         session = Session(as_json, progress_mode, -1 if quiet else int(verbose))
-        path, left_out = click.get_current_context().meta.get(_LEFT_OUT, ("", []))
+        context = click.get_current_context()
+        context.call_on_close(session.close)
+        path, left_out = context.meta.get(_LEFT_OUT, ("", []))
         if left_out:
             session.warn(f"{path} sets {', '.join(left_out)}, which counts on the command line only; it was left out")
         return command(*args, session=session, **kwargs)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import _thread
 import contextlib
 import json
 import sys
@@ -27,6 +28,8 @@ _REPORT_ANYWAY = 2.0  # though nothing but the time left is new
 _COMPILING = "compiling, once on this machine"
 #: Work that takes less is not announced [s].
 _LONG = 15.0
+#: A stop that no report of progress has met within this, as while libraries are loaded, comes as Ctrl-C would [s].
+_PATIENCE = 0.5
 #: Before so much is done, or has been worked for [s], nobody knows how long the rest takes.
 _TOO_EARLY, _TOO_SHORT = 0.02, 1.0
 
@@ -54,6 +57,7 @@ class Session:
     #: Seconds worked and share done when the pace began to count, and the seconds foreseen then.
     _begun: tuple[float, float, float] = (0.0, 0.0, 0.0)
     _stopped: threading.Event = field(default_factory=threading.Event)
+    _ended: threading.Event = field(default_factory=threading.Event)
 
     def __post_init__(self) -> None:
         """Listen for a stop where a program drives us, and for kernels that are compiled."""
@@ -106,9 +110,14 @@ class Session:
     def _worked(self, now: float) -> float:
         return now - self._started - COMPILING.seconds
 
+    def close(self) -> None:
+        """The command is at its end: there is nothing left to stop."""
+        self._ended.set()
+
     def progress(self, fraction: float, message: str) -> None:
         """Report the share done (0 to 1); raises `Cancelled` once a stop was asked for."""
         if self._stopped.is_set():
+            self.close()
             raise Cancelled("stopped as asked; no half-written file was left behind")
         now, percent = time.monotonic(), int(100 * fraction)
         last_time, last_message, last_percent = self._last
@@ -125,6 +134,7 @@ class Session:
 
     def finish(self, result: Mapping[str, Any], text: str) -> None:
         """End a command: the result as JSON on stdout, or `text` for people."""
+        self.close()
         self._clear_bar()
         if self.as_json or self.progress_mode == "json":
             self._print_line({"result": plain(result)})
@@ -177,6 +187,8 @@ class Session:
                 break
         # Also at the end of stdin: whoever started us has gone.
         self._stopped.set()
+        if not self._ended.wait(_PATIENCE):
+            _thread.interrupt_main()
 
 
 def _bar(fraction: float) -> str:

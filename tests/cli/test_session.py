@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import json
+import subprocess
+import sys
 
 import pytest
 
@@ -137,6 +139,40 @@ def test_programs_are_told_in_lines(clock, capsys, monkeypatch):
     ]
     assert "said" in lines[0], "what stays in the log, not the text of the bar"
     assert lines[-1]["seconds_left"] == 10
+
+
+#: Waits half a minute in one way, listening for a stop meanwhile.
+WAITING = """
+import time
+from firebreak_gis.cli.session import Session
+session = Session(progress_mode="json")
+for _ in range(3000):
+    time.sleep(0.01)
+    {report}
+"""
+
+
+@pytest.mark.parametrize(
+    ("report", "raised"), [("", "KeyboardInterrupt"), ("session.progress(0.1, 'burning')", "Cancelled")]
+)
+def test_a_stop_is_met_whether_progress_is_told_or_not(report, raised):
+    words = [sys.executable, "-c", WAITING.format(report=report)]
+    done = subprocess.run(words, input="cancel\n", capture_output=True, text=True, timeout=20)
+    assert raised in done.stderr.splitlines()[-1]
+
+
+def test_a_command_that_has_ended_is_not_stopped(monkeypatch):
+    interrupted = []
+    monkeypatch.setattr(module._thread, "interrupt_main", lambda: interrupted.append(1))
+    monkeypatch.setattr(module, "_PATIENCE", 0.01)
+    monkeypatch.setattr(module.threading.Thread, "start", lambda _: None)
+    for ended, times in ((True, 0), (False, 1)):
+        monkeypatch.setattr(module.sys, "stdin", io.StringIO(""))
+        session = Session(progress_mode="json")
+        if ended:
+            session.close()
+        session._listen()
+        assert len(interrupted) == times
 
 
 def test_shares_of_steps():
