@@ -56,9 +56,8 @@ def main(place: str) -> None:
     todo = commands(folder)
     seconds(*yardstick)  # the first compiles
     before = seconds(*yardstick)
-    print(
-        "| command | s here | files to files, before and after | s where that takes 16.6 | asked |\n|---|---|---|---|---|"
-    )
+    print("| command | s here | files to files, before and after | s where that takes 16.6 | asked |")
+    print("|---|---|---|---|---|")
     for name, (asked, words) in todo.items():
         took = seconds("firebreak_gis", *words, "--overwrite", "-o", str(folder / words[0]))
         after = seconds(*yardstick)
