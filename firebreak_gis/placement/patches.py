@@ -36,6 +36,9 @@ if TYPE_CHECKING:
 
 #: Patches of more cells are searched coarsely first, in about half as many blocks or fewer.
 COARSE_FROM = 4096
+#: Patches of so many times more, where walls are chains: these are found faster than flows, and the direction that is
+#: best by blocks need not be the best.
+_CHAINS = 16
 #: Steps from the coarse wall to which the band reaches, in sides of a block; tried in turn until both ends lie outside.
 _REACH = (1.0, 0.5, 0.0)
 #: Largest sum of whole-number costs, so that no flow overflows.
@@ -233,7 +236,7 @@ class Patches:
         if not can_chain(row, col, self.links[cells]):
             return None
         toward, share = self.toward, float(self.shares[0])
-        if cells.size > self.coarse_from:
+        if cells.size > _CHAINS * self.coarse_from:
             squares = self._squares(cells, row, col)
             _, found = best_chain(*squares, toward, share, np.empty(squares[0].size, np.uint8))
             toward = toward[found : found + 1] if found >= 0 else toward
@@ -242,8 +245,8 @@ class Patches:
         return mask
 
     def _squares(self, cells: np.ndarray, row: np.ndarray, col: np.ndarray) -> tuple[np.ndarray, ...]:
-        """Squares of a patch, about half as many as `coarse_from`, as `chains.best_chain` takes cells."""
-        factor = factor_for(cells.size, self.coarse_from)
+        """Squares of a large patch, as `chains.best_chain` takes cells."""
+        factor = factor_for(cells.size, _CHAINS * self.coarse_from)
         wide = int(col.max()) // factor + 1
         key = row // factor * wide + col // factor
         there = np.zeros(int(key.max()) + 1, bool)

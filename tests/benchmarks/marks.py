@@ -1,4 +1,4 @@
-"""What asked times mean on this machine: `python -m tests.benchmarks.marks FOLDER`, some ten minutes.
+"""What asked times mean on this machine: `python -m tests.benchmarks.marks FOLDER [SIDE ...]`, some ten minutes.
 
 The seconds that commands may take were asked for when files to files (`whole.py`: align, network, Bonacich, 100 fires
 twice, write; none of it younger than the marks) took 16.6 s for nine million cells. It stands before and after each
@@ -10,6 +10,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import time
+from collections.abc import Iterable
 from pathlib import Path
 
 from tests.benchmarks.landscapes import write_layers
@@ -17,6 +18,8 @@ from tests.benchmarks.large import make
 
 #: Files to files, nine million cells, where the marks were set [s].
 THERE = 16.6
+#: Cells a side of maps, and the seconds asked for their plans.
+PLANS = {1000: 15.0, 3000: 180.0}
 SAMPLE = [f"sample_data/{layer}.tif" for layer in ("dem", "vegetation", "density")]
 EVERYTHING = (
     *("--wind-speed", "5", "--wind-from", "315", "--years", "10", "--budget-per-year", "30ha", "--embers", "on"),
@@ -32,28 +35,31 @@ def seconds(*words: str) -> float:
     return time.perf_counter() - started
 
 
-def commands(folder: Path) -> dict[str, tuple[float, list[str]]]:
+def commands(folder: Path, sides: Iterable[int]) -> dict[str, tuple[float, list[str]]]:
     """By what they are: seconds asked, and the words."""
     found = {}
-    for side, asked in ((1000, 15.0), (3000, 180.0)):
+    for side in sides:
         place = folder / str(side)
         if not (place / "dem.tif").exists():
             make(place, side)
         layers = [str(place / f"{layer}.tif") for layer in ("dem", "vegetation", "density")]
-        found[f"plan of {side:,} x {side:,}"] = asked, ["plan", *layers, "--wind-speed", "5", "--wind-from", "315"]
+        found[f"plan of {side:,} x {side:,}"] = (
+            PLANS[side],
+            ["plan", *layers, "--wind-speed", "5", "--wind-from", "315"],
+        )
     found["plan of the sample, everything on"] = 20.0, ["plan", *SAMPLE, *EVERYTHING]
     seconds("firebreak_gis", "align", *SAMPLE, "--overwrite", "-o", str(folder / "land"))
     found["compare of the sample"] = 60.0, ["compare", str(folder / "land")]
     return found
 
 
-def main(place: str) -> None:
+def main(place: str, *sides: str) -> None:
     """Print a row a command."""
     folder = Path(place)
     layers = [str(path) for path in write_layers(folder / "yardstick", 3000)]
     yardstick = ("tests.benchmarks.whole", *layers, str(folder / "out"))
     seconds("firebreak_gis", "warmup")
-    todo = commands(folder)
+    todo = commands(folder, map(int, sides or PLANS))
     seconds(*yardstick)  # the first compiles
     before = seconds(*yardstick)
     print("| command | s here | files to files, before and after | s where that takes 16.6 | asked |")
