@@ -23,7 +23,7 @@ from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.network import SpreadNetwork
 from firebreak_gis.placement.dissection import Cut, dissect, sequence
 from firebreak_gis.placement.edges import links
-from firebreak_gis.placement.patches import Patches, capacities
+from firebreak_gis.placement.patches import COARSE_FROM, Patches, capacities
 from firebreak_gis.placement.patterns import ExpectedLoss
 from firebreak_gis.placement.regions import Regions
 from firebreak_gis.placement.widening import offsets, walls
@@ -440,6 +440,14 @@ def noise(seed: int) -> tuple[SpreadNetwork, Stakes]:
     rough = sum(width * gaussian_filter(random.standard_normal((150, 150)), width, mode="wrap") for width in (1, 4, 16))
     network = SpreadNetwork(np.full((8, 150, 150), 0.5), burnable=rough < np.quantile(rough, 0.8))
     return network, Stakes(network, cost=1 + random.integers(0, 3, network.shape), value=random.random(network.shape))
+
+
+def test_chains_across_all_but_huge_patches_are_the_best_of_all_directions():
+    """What is best by squares was often not: walls that leak saved up to seven points less of the mean fire."""
+    network, stakes = noise(1)
+    found, exact = (cuts_of(network, stakes, coarse_from=coarse) for coarse in (COARSE_FROM, 10**9))
+    assert max(cut.size for cut in exact) > 2 * COARSE_FROM
+    assert [cut.cells.tolist() for cut in found] == [cut.cells.tolist() for cut in exact]
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
