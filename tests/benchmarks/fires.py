@@ -20,10 +20,11 @@ from firebreak_gis.simulation import timed as timed_runs
 from firebreak_gis.simulation.durations import Duration
 from firebreak_gis.simulation.embers import nothing_flies
 from firebreak_gis.simulation.fires import burn
+from firebreak_gis.simulation.ground_fires import MapInMemory
 from firebreak_gis.simulation.holding import build_walls, cleared_ground
 from firebreak_gis.simulation.products import Products, new_tally
 from firebreak_gis.simulation.request import FireRequest
-from firebreak_gis.simulation.windows import MapInMemory, burn_windows
+from firebreak_gis.simulation.windows import burn_windows
 from tests.benchmarks import peers
 from tests.benchmarks.landscapes import fractal, paced
 from tests.benchmarks.measuring import Comparison, Figure, seconds, threads

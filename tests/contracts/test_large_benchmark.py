@@ -1,8 +1,10 @@
-"""Landscapes to measure on are the same however they are made, and what is told of growth is what was measured."""
+"""Benchmarks can be run, their landscapes are the same however made, and what is told of growth is what was measured."""
 
 from __future__ import annotations
 
+import importlib
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +12,11 @@ import rasterio
 
 from tests.benchmarks import large
 from tests.benchmarks.growth import draw, slope
+
+
+@pytest.mark.parametrize("name", sorted(file.stem for file in Path(large.__file__).parent.glob("[a-z]*.py")))
+def test_every_benchmark_finds_what_it_measures(name):
+    assert importlib.import_module(f"tests.benchmarks.{name}").__doc__
 
 
 def test_noise_does_not_depend_on_the_rows_that_are_made_at_once():
