@@ -184,7 +184,7 @@ class Timed:
         self.n_cells = network.burnable.size
         request = FireRequest(n_runs=RUNS)
         group = next(timed_runs.groups_of(network, None, n_runs=RUNS, first_run=0, seed=0))
-        self.clock, self.span = timed_runs.clock_of(group, 1 << 40, embers=False)
+        self.clock, self.span = timed_runs.clock_of(group.times, group.starts, 1 << 40, embers=False)
         keys = {purpose: draws.run_keys(0, purpose, RUNS) for purpose in ("edges", "hold", "embers")}
         walls = build_walls(network, keys["hold"], breaks=None, residual=0.0, hold=request.holding)
         self.cells = np.full(RUNS, cell)

@@ -1,4 +1,4 @@
-"""Benchmarks can be run, their landscapes are the same however made, and what is told of growth is what was measured."""
+"""Benchmarks can be run, their landscapes are the same however made, and what is told of growth was measured."""
 
 from __future__ import annotations
 
@@ -10,13 +10,20 @@ import numpy as np
 import pytest
 import rasterio
 
-from tests.benchmarks import large
+from tests.benchmarks import fires, large
 from tests.benchmarks.growth import draw, slope
+from tests.benchmarks.measuring import Comparison
 
 
 @pytest.mark.parametrize("name", sorted(file.stem for file in Path(large.__file__).parent.glob("[a-z]*.py")))
 def test_every_benchmark_finds_what_it_measures(name):
     assert importlib.import_module(f"tests.benchmarks.{name}").__doc__
+
+
+def test_fires_are_burnt_as_the_program_burns_them_now():
+    for row in fires.rows(40):
+        if isinstance(row, Comparison):
+            assert row.ours() is not None
 
 
 def test_noise_does_not_depend_on_the_rows_that_are_made_at_once():
