@@ -21,7 +21,7 @@ import numpy as np
 import firebreak_gis as fb
 from firebreak_gis.breaks import Budget
 from firebreak_gis.landscape.footprints import footprints
-from firebreak_gis.landscape.sited import SitingRequest
+from firebreak_gis.landscape.sited import STRENGTH, SitingRequest
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning.design import design
@@ -35,6 +35,10 @@ from firebreak_gis.stakes import StakePlanes
 
 ROOT = Path(__file__).resolve().parents[2]
 SHARED = ROOT.parent / "shared" / "data"
+#: Whole cells with all ground alike, and the plans that are set beside them: without siting, by default, the most.
+PLANS = [f"{method}:{strength:g}" for method in ("dissection", "compartments", "lines") for strength in (0.0, STRENGTH)]
+PLANS += ["lines:10"]
+BUDGETS = (0.03, 0.05, 0.1)
 
 
 def landscape(name: str):
@@ -46,11 +50,6 @@ def landscape(name: str):
         return fb.read_landscape(*map(str, layers), resolution=float(name.removeprefix("rhodes")))
     files = [SHARED / "vilopriu_2013" / f"{layer}.tif" for layer in ("elevation", "fuels")]
     return fb.read_landscape(*map(str, files), legend="scott_burgan_40", unknown="nonburnable")
-
-
-#: Whole cells with all ground alike, and the plans that are set beside them.
-PLANS = ("dissection:0", "dissection:1.5", "compartments:0", "compartments:1.5", "lines:0", "lines:1.5", "lines:10")
-BUDGETS = (0.03, 0.05, 0.1)
 
 
 def measure(name: str, plans: list[str], n_runs: int) -> None:
@@ -83,7 +82,8 @@ def measure(name: str, plans: list[str], n_runs: int) -> None:
                 breaks = fb.select_breaks(priority, budget=budget, burnable=network.burnable)
                 cells = np.flatnonzero(breaks.to_numpy() > 0)
                 length = np.ones(len(cells))
-            whole, near, all_near = (float(length[on.ravel()[cells]].sum()) for on in (strict | True, strict, every))
+            near, all_near = (float(length[on.ravel()[cells]].sum()) for on in (strict, every))
+            whole = float(length.sum())
             saved = 1.0 - mean_fire(breaks) / untreated
             known_near, known_saved = first.setdefault(budget.amount, (near, saved))
             print(
@@ -98,7 +98,7 @@ def main() -> None:
     """Print a row a plan."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("landscapes", nargs="+")
-    parser.add_argument("--plans", nargs="+", metavar="METHOD:STRENGTH", default=list(PLANS))
+    parser.add_argument("--plans", nargs="+", metavar="METHOD:STRENGTH", default=PLANS)
     parser.add_argument("--runs", type=int, default=600)
     given = parser.parse_args()
     for place in given.landscapes:

@@ -33,7 +33,7 @@ class _Ran:
     printed: str
 
 
-def _program(*arguments: str, environment: Mapping[str, str] | None = None) -> _Ran:
+def program(*arguments: str, environment: Mapping[str, str] | None = None) -> _Ran:
     """Run a fresh Python to its end."""
     before, started = os.times(), time.perf_counter()
     done = subprocess.run(
@@ -50,8 +50,8 @@ def _program(*arguments: str, environment: Mapping[str, str] | None = None) -> _
 
 def _median(*arguments: str, rounds: int = 5) -> float:
     """Seconds of processor time that a program takes."""
-    _program(*arguments)
-    return float(np.median([_program(*arguments).processor for _ in range(rounds)]))
+    program(*arguments)
+    return float(np.median([program(*arguments).processor for _ in range(rounds)]))
 
 
 def start_rows() -> Iterator[Figure]:
@@ -70,7 +70,7 @@ def whole_rows(side: int) -> Iterator[Figure]:
     with tempfile.TemporaryDirectory() as folder:
         layers = [str(path) for path in write_layers(Path(folder) / "layers", side)]
         way = ("-m", "tests.benchmarks.whole", *layers, str(Path(folder) / "out"))
-        runs = [_program(*way) for _ in range(4 if side <= 1000 else 1)]
+        runs = [program(*way) for _ in range(4 if side <= 1000 else 1)]
         runs = runs[1:] or runs
         told: list[dict[str, Any]] = [json.loads(run.printed) for run in runs]
         yield Figure("files to files", cells, float(np.median([r.clock for r in runs])), "s", warm, threads=number)
@@ -95,9 +95,9 @@ def whole_rows(side: int) -> Iterator[Figure]:
             "-o",
             str(Path(folder) / "plan"),
         )
-        took = _program(*command).clock
+        took = program(*command).clock
         yield Figure("`firebreak plan`, with evaluation and picture", cells, took, "s", threads=number)
         if first is not None:
             fresh = {"NUMBA_CACHE_DIR": str(Path(folder) / "cache")}
-            took = _program(*way, environment=fresh).clock
+            took = program(*way, environment=fresh).clock
             yield Figure("files to files, the very first time", cells, took, "s", first, threads=number)
