@@ -101,7 +101,7 @@ class Patches:
     periodic
         Whether the grid is a torus.
     coarse_from
-        Patches of more cells are searched coarsely first.
+        Patches of more cells are searched coarsely first; for chains, of 16 times as many.
     """
 
     shape: tuple[int, int]

@@ -4,9 +4,9 @@ What network science calls dismantling by nested dissection: small separators fi
 
 Each compartment is split by the minimum vertex cut between opposite ends, in several directions, that saves
 the largest expected loss for its cost; the pieces are split in turn. Where fire passes between all neighbours that hold
-fuel, such a cut is the cheapest chain of cells that share a side. Compartments of more than 4,096 cells are
-searched coarsely first. Maps of more than 4 million cells
-of fuel are parted into regions first, see `placement.regions`. Costs are the capacities, protected
+fuel, such a cut is the cheapest chain of cells that share a side. Compartments of more than 4,096 cells, 65,536 for
+chains, are searched coarsely first. Maps of more than 4 million cells of fuel are parted into regions first, see
+`placement.regions`. Costs are the capacities, protected
 cells are never in a wall, cells without fuel are free, and ignitions and values at risk set what a wall saves. Walls
 stop spread over corners too. A wall is worth little before it is closed, so budgets between two walls gain little.
 
