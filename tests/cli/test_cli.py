@@ -307,23 +307,6 @@ def test_plan_with_stakes(tmp_path):
 
 def test_warmup():
     assert json.loads(run("warmup", "--json").stdout)["result"]["seconds"] > 0
-    from firebreak_gis.kernels import certificate, lanes, linear, paths, percolation
-
-    # Kernels that only large networks, or many fires, need are among them.
-    for kernel in (
-        certificate._relax,
-        linear._rows_in,
-        linear._rows_out,
-        linear._rows_combine,
-        linear._rows_dot,
-        linear._rows_change,
-        lanes.burn_block,
-        percolation.burn_runs,
-        percolation.burn_curve,
-        paths.betweenness_batch,
-        paths.distance_batch,
-    ):
-        assert kernel.signatures, kernel.__name__
 
 
 def test_lists_and_descriptions():

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import time
+from typing import Any
 
 import click
 
 from firebreak_gis.cli import options
 from firebreak_gis.cli.session import Session
+from firebreak_gis.progress import Progress, part, silent
 
 
 @click.command("warmup")
@@ -17,6 +19,17 @@ def command(session: Session) -> None:
 
     The compiled code is kept beside the package, or in NUMBA_CACHE_DIR if that is set.
     """
+    started = time.perf_counter()
+    _warm_rankings(part(session.progress, 0.0, 0.4))
+    _warm_large()
+    _warm_clock()
+    _warm_plans(part(session.progress, 0.5, 1.0))
+    seconds = time.perf_counter() - started
+    session.finish({"seconds": seconds}, f"kernels ready after {seconds:.1f} s")
+
+
+def _warm_rankings(progress: Progress) -> None:
+    """Compile every ranking, and fires without a clock."""
     from firebreak_gis import plugins
     from firebreak_gis.evaluation.curves import evaluate
     from firebreak_gis.ranking import rank
@@ -24,23 +37,17 @@ def command(session: Session) -> None:
     from firebreak_gis.spread import spread_network
     from firebreak_gis.spread.artificial import forest
 
-    started = time.perf_counter()
     network = spread_network(forest((40, 50)), model="artificial")
     names = plugins.names("ranking")
     priorities = {}
     for i, name in enumerate(names):
-        session.progress(i / (len(names) + 2), name)
+        progress(i / len(names), name)
         priorities[name] = rank(network, name)
-    session.progress(len(names) / (len(names) + 2), "fires")
+    progress(1.0, "fires")
     # Few runs are made one by one, many 64 at once: both kernels.
     for n_runs in (2, 200):
         simulate(network, value=None, n_runs=n_runs)
         evaluate(network, {"random": priorities["random"]}, budgets=[0.0, 0.1], n_runs=n_runs)
-    _warm_landscape()
-    _warm_large()
-    _warm_clock()
-    seconds = time.perf_counter() - started
-    session.finish({"seconds": seconds}, f"kernels ready after {seconds:.1f} s")
 
 
 def _warm_large() -> None:
@@ -74,19 +81,38 @@ def _warm_clock() -> None:
     simulate(network, breaks=np.eye(9, 11), hold=0.5, duration=900, embers=embers, products=products, n_runs=2)
 
 
-def _warm_landscape() -> None:
-    """Compile what only a real landscape needs."""
+def _warm_plans(progress: Progress) -> None:
+    """Compile what only a real landscape needs, by a small plan of each kind."""
     import numpy as np
     import xarray as xr
+    from affine import Affine
+    from pyproj import CRS
 
     from firebreak_gis.grid import Grid
-    from firebreak_gis.spread import spread_network
+    from firebreak_gis.placement.dissection import dissect
+    from firebreak_gis.planning.pipeline import plan
+    from firebreak_gis.planning.years import YearsRequest
+    from firebreak_gis.stakes import Stakes
 
-    grid = Grid((4, 5))
-    planes: dict[str, np.ndarray] = {
-        "elevation": np.zeros(grid.shape, np.float32),
+    y, x = np.mgrid[:48, :60]
+    grid = Grid((48, 60), Affine(40.0, 0.0, 5e5, 0.0, -40.0, 4e6), CRS(32635))
+    planes = {
+        "elevation": (60.0 * np.sin(x / 7.0) * np.cos(y / 5.0)).astype(np.float32),
         "vegetation": np.ones(grid.shape, np.uint8),
         "density": np.ones(grid.shape, np.uint8),
-        "burnable": np.ones(grid.shape, bool),
+        "burnable": (x + y) % 41 > 0,
     }
-    spread_network(xr.Dataset({name: grid.dataarray(plane, name) for name, plane in planes.items()}))
+    landscape = xr.Dataset({name: grid.dataarray(plane, name) for name, plane in planes.items()})
+    roads = (x == 30).astype(np.uint8)
+    kinds: tuple[dict[str, Any], ...] = (
+        {"embers": True, "roads": roads, "value": np.ones(grid.shape), "years": YearsRequest(years=2)},
+        {"residual": 0.1, "duration": "2h"},
+        {"line_width": "cells", "refine": True},
+        {"timeless": True, "refine": True},
+    )
+    for i, kind in enumerate(kinds):
+        progress(i / len(kinds), "plans")
+        made = plan(landscape, budget="5%", n_runs=4, **kind)
+        progress((i + 0.9) / len(kinds), f"a plan of {len(made.segments.lines)} segments")
+    for leaky in (False, True):  # as large maps are cut
+        dissect(made.network, Stakes(made.network), leaky=leaky, coarse_from=100, regions_from=500, progress=silent)
