@@ -32,9 +32,9 @@ _MORE = 2.5
 #: Cells that the fires of a round burn where nothing is cut.
 _WORK = 2.0e6
 #: The same, and fires of a round at least, of a short search, which every plan of lines that fail can afford.
-_SHORT_WORK, _SHORT_LEAST = 4.0e5, 16
+_SHORT_WORK, _SHORT_LEAST = 1.2e6, 40
 #: Fires that tell whether a plan of lines has become better, at least.
-_OTHERS = 300
+_OTHERS = 500
 
 
 def exchange(
