@@ -139,9 +139,9 @@ def exchange_lines(
 
     Notes
     -----
-    On the sample, where each 400 m of lines 28 m wide holds in 0.47 of fires with embers, and 5 % of the fuel is
-    theirs, the short search saves 29.3 in place of 27.1 % in 300 other fires; at 3 and 10 % 20.8 in place of 19.0, and
-    46.1 in place of 43.7 %.
+    On the sample and Rhodes in calm air, 3, 5 and 10 % cut, each 400 m of lines at most 30 m wide holding in 0.47 of
+    fires of 8 h, the short search saves 33.7 % in the mean of 4,000 other fires; with a third of its fires 33.3, with
+    three times as many 34.0 %.
     """
     n_runs = trial.runs(_SHORT_WORK, least=_SHORT_LEAST) if short else trial.runs(_WORK)
 

@@ -192,7 +192,7 @@ def make(file: Path, wanted: list[Row], plans: list[str], shared: Path | None) -
                 stage, at = Stage(row.landscape, row.wind, shared), (row.landscape, row.wind)
             line = measured(stage, row, plan)
             with file.open("a", newline="") as lines:
-                csv.DictWriter(lines, COLUMNS).writerow(line)
+                csv.DictWriter(lines, COLUMNS, lineterminator="\n").writerow(line)
 
 
 class Line(NamedTuple):
