@@ -88,7 +88,7 @@ def test_asked_to_end_it_cleans_up(network, tmp_path, name):
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
-        preexec_fn=lambda: signal.signal(number, signal.SIG_DFL),  # under nohup SIGHUP is ignored, by programs begun too
+        preexec_fn=lambda: signal.signal(number, signal.SIG_DFL),  # nohup has it ignored
     )
     for line in process.stdout:
         if json.loads(line).get("progress", 0) > 0.001:

@@ -1,4 +1,4 @@
-"""After `firebreak warmup` nothing is left to compile: no plan asks for a kernel, or arrays of a kind, that it did not."""
+"""After `firebreak warmup` nothing is left to compile: no plan asks for a kernel, or kind of array, that it did not."""
 
 from __future__ import annotations
 
