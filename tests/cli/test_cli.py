@@ -305,10 +305,6 @@ def test_plan_with_stakes(tmp_path):
     assert read(tmp_path / "p/burn_frequency.tif").mask[on_road].all()
 
 
-def test_warmup():
-    assert json.loads(run("warmup", "--json").stdout)["result"]["seconds"] > 0
-
-
 def test_lists_and_descriptions():
     assert "bonacich" in run("methods").output
     assert "beta = 0.5" in run("methods", "bonacich").output
