@@ -19,6 +19,7 @@ import numpy as np
 from firebreak_gis.kernels.keys import distinct
 from firebreak_gis.memory import BLOCK_CELLS
 from firebreak_gis.placement.patches import COARSE_FROM, Patches, Walls
+from firebreak_gis.placement.widening import STANDARD_CORNER
 from firebreak_gis.progress import part, silent
 from firebreak_gis.threads import run_growing, run_pieces
 
@@ -75,6 +76,7 @@ def dissect(
     coarse_from: int = COARSE_FROM,
     regions_from: int = REGIONS_FROM,
     sizes: np.ndarray | None = None,
+    corner: tuple[int, int] = STANDARD_CORNER,
     threads: int | None = None,
     progress: Progress,
 ) -> list[Cut]:
@@ -102,6 +104,8 @@ def dissect(
         torus is not.
     sizes
         (rows * cols,) set, in the cells of a compartment that is split, to its size; that of the smallest remains.
+    corner
+        As in `widening.wall_cost`, on a turned map.
     threads
         Threads to use; changes the speed only.
     progress
@@ -117,7 +121,14 @@ def dissect(
     Cost: about n log n, 7 s of processor time for 935,000 cells; memory about 125 B a cell beside the network.
     """
     patches = Patches.of(
-        network, stakes, width=width, leaky=leaky, directions=directions, shares=shares, coarse_from=coarse_from
+        network,
+        stakes,
+        width=width,
+        leaky=leaky,
+        directions=directions,
+        shares=shares,
+        coarse_from=coarse_from,
+        corner=corner,
     )
     grown = _Tree(patches, network.shape, smallest, sizes)
     if by_regions(network, regions_from):

@@ -68,6 +68,18 @@ def in_standard_orientation(
     return np.ascontiguousarray(back[..., ::-1] if mirror else back)
 
 
+def turned_corner(turn: Turn) -> tuple[int, int]:
+    """Where the lower right corner of a square lies after a turn: down or up, right or left, each 1 or -1.
+
+    Examples
+    --------
+    >>> turned_corner(np.fliplr), turned_corner(np.rot90)
+    ((1, -1), (-1, 1))
+    """
+    row, col = np.argwhere(turn(np.array([[0, 0], [0, 1]])))[0]
+    return int(2 * row - 1), int(2 * col - 1)
+
+
 def _turned_setting(turned: SpreadNetwork, stakes: Stakes, turn: Turn) -> Stakes:
     if not turned.burnable.any():
         return Stakes(turned)

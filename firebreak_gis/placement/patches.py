@@ -28,7 +28,7 @@ from firebreak_gis.kernels.splitting import split_down
 from firebreak_gis.lattice import COL_STEP, ROW_STEP
 from firebreak_gis.placement.coarsening import factor_for, joined_costs
 from firebreak_gis.placement.edges import links, mean_lit
-from firebreak_gis.placement.widening import wall_cost
+from firebreak_gis.placement.widening import STANDARD_CORNER, wall_cost
 
 if TYPE_CHECKING:
     from firebreak_gis.network import SpreadNetwork
@@ -128,12 +128,13 @@ class Patches:
         directions: int,
         shares: Sequence[float],
         coarse_from: int,
+        corner: tuple[int, int] = STANDARD_CORNER,
     ) -> Patches:
         """Of a network; parameters as in `dissection.dissect`."""
         return cls(
             network.shape,
             links(network).ravel(),
-            capacities(network, stakes, width, leaky=leaky).ravel(),
+            capacities(network, stakes, width, leaky=leaky, corner=corner).ravel(),
             stakes.cost.ravel(),
             stakes.ignition.ravel(),
             stakes.value.ravel(),
@@ -395,10 +396,18 @@ def _spans(places: np.ndarray, size: int) -> bool:
     return bool(places.size and places.min() == 0 and places.max() == size - 1)
 
 
-def capacities(network: SpreadNetwork, stakes: Stakes, width: int = 1, *, leaky: bool = False) -> np.ndarray:
+def capacities(
+    network: SpreadNetwork,
+    stakes: Stakes,
+    width: int = 1,
+    *,
+    leaky: bool = False,
+    corner: tuple[int, int] = STANDARD_CORNER,
+) -> np.ndarray:
     """Whole-number cutting costs for the flow, (rows, cols) int32; `UNCUTTABLE` where protected.
 
-    A cell counts its cost times its difficulty. With a width a cell also counts its share of the wall around it.
+    A cell counts its cost times its difficulty. With a width a cell also counts its share of the wall around it
+    (`corner` as in `widening.wall_cost`).
     Where breaks leak, costs grow with the chance that a fire takes `width` steps into cells like this one.
 
     Equal costs become 1 and small multiples of the least whole numbers, since small capacities are cut fast; so do
@@ -410,7 +419,7 @@ def capacities(network: SpreadNetwork, stakes: Stakes, width: int = 1, *, leaky:
     if leaky:
         passed = mean_lit(network) ** width
         own = own * (1.0 + _LEAK_WEIGHT * passed / max(float(passed[network.burnable].mean()), 1e-300))
-    cost = np.where(network.burnable & ~stakes.protected, wall_cost(own, width, network.boundary), 0.0)
+    cost = np.where(network.burnable & ~stakes.protected, wall_cost(own, width, network.boundary, corner), 0.0)
     positive = cost[cost > 0]
     scale = 1.0
     if positive.size:

@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from firebreak_gis.stakes import Stakes
 
 
+#: Lower right: towards it a wall of an even width reaches one cell further from its line.
+STANDARD_CORNER = (1, 1)
+
+
 def offsets(width: int) -> range:
     """Steps from a cell of a line to the cells of the wall, along rows and along columns.
 
@@ -64,14 +68,27 @@ def _widened(
     )
 
 
-def wall_cost(cost: np.ndarray, width: int, boundary: Boundary) -> np.ndarray:
+def wall_cost(
+    cost: np.ndarray, width: int, boundary: Boundary, corner: tuple[int, int] = STANDARD_CORNER
+) -> np.ndarray:
     """Cost of a cell of a line with its share of the wall around it, (rows, cols).
 
     Along a straight line these add up to the cost of the wall.
+
+    Parameters
+    ----------
+    cost
+        (rows, cols) of the cells.
+    width, boundary
+        As in `around`.
+    corner
+        Towards which rows and columns walls of an even width reach one cell further, each 1 (rising) or -1: on a map
+        that was turned before walls are sought, where they lie as `around` widens them on the other.
     """
     if width == 1:
         return cost
-    pad = [(-offsets(width)[0], offsets(width)[-1])] * 2
+    before, after = -offsets(width)[0], offsets(width)[-1]
+    pad = [(before, after) if step > 0 else (after, before) for step in corner]
     padded = np.pad(cost, pad, mode="wrap" if boundary == "periodic" else "constant")
     total = np.zeros(cost.shape)
     for r in range(width):

@@ -231,11 +231,14 @@ def _tried_out(
 
 def _as_it_lies(network: SpreadNetwork, stakes: Stakes, params: Params, width: int, progress: Progress) -> Walls:
     """Walls found on the map in its standard orientation, in the numbers of the cells as it lies."""
+    from firebreak_gis.placement.orientation import turned_corner
+
     cuts: list[Cut] = []
 
     def standard(turned: SpreadNetwork, placed: Stakes, turn: Turn) -> np.ndarray:
         number = turn(np.arange(network.burnable.size).reshape(network.shape)).ravel()
-        found, sizes = _cuts(turned, placed, params, width, progress)
+        # Priced as they will be widened, on the map as it lies.
+        found, sizes = _cuts(turned, placed, params, width, progress, turned_corner(turn))
         cuts.extend(cut._replace(cells=number[cut.cells]) for cut in found)
         return sizes
 
@@ -255,8 +258,16 @@ def _turned(
     return in_standard_orientation(network, stakes, method)
 
 
-def _cuts(network: SpreadNetwork, stakes: Stakes, params: Params, width: int, progress: Progress) -> Walls:
+def _cuts(
+    network: SpreadNetwork,
+    stakes: Stakes,
+    params: Params,
+    width: int,
+    progress: Progress,
+    corner: tuple[int, int] | None = None,
+) -> Walls:
     from firebreak_gis.placement.dissection import dissect
+    from firebreak_gis.placement.widening import STANDARD_CORNER
 
     sizes = np.zeros(network.burnable.size, np.int32)
     cuts = dissect(
@@ -267,6 +278,7 @@ def _cuts(network: SpreadNetwork, stakes: Stakes, params: Params, width: int, pr
         directions=params.directions,
         smallest=max(params.smallest, width * width),
         sizes=sizes,
+        corner=corner or STANDARD_CORNER,
         progress=progress,
     )
     return cuts, sizes.reshape(network.shape)

@@ -318,6 +318,22 @@ def test_turned_maps_get_plans_that_are_as_good(symmetry):
     assert first == pytest.approx(second, rel=0.08)
 
 
+@pytest.mark.parametrize("mirror", [False, True])
+@pytest.mark.parametrize("quarters", range(4))
+def test_walls_of_two_cells_take_a_cheap_strip_however_the_map_lies(mirror, quarters):
+    """Walls are sought on the map in its standard orientation, and must not be widened to the other side."""
+    cost = np.ones((26, 40))
+    cost[:, 18:20] = 0.01
+    cost = np.rot90(cost[:, ::-1] if mirror else cost, quarters)
+    network = SpreadNetwork(np.full((8, *cost.shape), 0.6), travel_time=np.full((8, *cost.shape), 100), **UTM)
+    stakes = Stakes(network, cost=cost)
+    share = float(cost[cost < 1].sum() / cost.sum())
+    trial = trial_of(network, stakes=stakes)
+    priority = rank(network, "dissection", stakes=stakes, trial=trial, least_width=2, cost_share=share)
+    assert priority.attrs["design"] == "walls of 2 cells"
+    np.testing.assert_array_equal(priority.to_numpy() > np.sort(priority, axis=None)[-53], cost < 1)
+
+
 def turned_of(network, symmetry):
     """The map turned, with its times."""
     turned = centrality.turn_network(network, symmetry)
