@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-#: Cells that the fires of one comparison burn where nothing is cut, and how many there are for each cell of the map.
+#: Cells that the fires of one comparison burn, and how many there are for each cell of the map.
 _WORK, _COVER = 2.0e6, 4.0
 
 
@@ -31,6 +31,9 @@ class Choice(Generic[T]):
         Cells with fuel, which tell how many fires are needed.
     laid
         Breaks of a design: (rows, cols) bool, or lines; None for none.
+    like
+        Design that may not be the best, beside which the fires that are needed are as many as burn so much; None: as
+        many as do where nothing is cut.
 
     Attributes
     ----------
@@ -38,10 +41,13 @@ class Choice(Generic[T]):
         Fires that each design meets.
     """
 
-    def __init__(self, trial: Trial, n_cells: int, laid: Callable[[T], np.ndarray | LineBreaks | None]) -> None:
+    def __init__(
+        self, trial: Trial, n_cells: int, laid: Callable[[T], np.ndarray | LineBreaks | None], like: T | None = None
+    ) -> None:
         self._trial, self._laid = trial, laid
         self._tried: list[tuple[float, T]] = []
-        self.n_runs = trial.runs(max(_WORK, _COVER * n_cells))
+        cut = None if like is None else laid(like)
+        self.n_runs = trial.runs(max(_WORK, _COVER * n_cells), cut=cut)
 
     def attempt(self, design: T) -> float:
         """Value that the fires take where the design is built."""

@@ -91,29 +91,37 @@ def best_layout(
     progress
         Callback (share done, message).
     """
-    choice: Choice[Layout] = Choice(trial, network.n_burnable, lambda layout: layout.cut(stakes, money))
+
+    def even(width: int) -> Layout:
+        told = f"walls of {width} cell{'s' if width > 1 else ''}"
+        return Layout(told, walls(lines(width, None), network, stakes, width)[0], width)
 
     def even_walls() -> Iterator[Layout]:
         for width in range(narrowest, max(widest, narrowest) + 1):
-            told = f"walls of {width} cell{'s' if width > 1 else ''}"
-            progress(0.05 * width, f"trying {told}")
-            yield Layout(told, walls(lines(width, None), network, stakes, width)[0], width)
+            layout = even(width)
+            progress(0.05 * width, f"trying {layout.told}")
+            yield layout
 
-    even = choice.rising(even_walls()).width
+    leaks = trial.fires.residual > 0.0
+    # Thin walls that leak save little, so what burns beside them would allow few fires.
+    like = even(narrowest + 1) if leaks else None
+    choice: Choice[Layout] = Choice(trial, network.n_burnable, lambda layout: layout.cut(stakes, money), like)
+
+    best = choice.rising(even_walls()).width
     # Of each round half as many as of a comparison: a part is met by those of all rounds.
     about: dict[str, Any] = {"money": money, "n_runs": max(choice.n_runs // 2, 1)}
-    if trial.fires.residual > 0.0:
+    if leaks:
         for k, share in enumerate(_LENGTHS):
             step = part(progress, 0.4 + 0.2 * k, 0.6 + 0.2 * k, "widening: ")
-            length = share / even if even > 1 else 0.8 * share
-            thin = lines(even, None)
+            length = share / best if best > 1 else 0.8 * share
+            thin = lines(best, None)
             choice.attempt(
                 reinforced(network, stakes, trial, thin, length=length, narrowest=narrowest, **about, progress=step)
             )
     elif not trial.fires.holding.perfect:
         step = part(progress, 0.4, 0.8, "laying: ")
-        pool = lines(even, closing(network, trial.fires.holding))
-        choice.attempt(most_passed(network, stakes, trial, pool, width=even, **about, progress=step))
+        pool = lines(best, closing(network, trial.fires.holding))
+        choice.attempt(most_passed(network, stakes, trial, pool, width=best, **about, progress=step))
     chosen = choice.chosen()
     progress(1.0, f"chosen: {chosen.told}")
     return chosen

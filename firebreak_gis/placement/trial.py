@@ -72,9 +72,9 @@ class Trial:
         """The same fires against breaks of another leak."""
         return replace(self, fires=replace(self.fires, residual=residual))
 
-    def runs(self, work: float, *, least: int = 40, most: int = 2000) -> int:
-        """How many fires burn about `work` cells in all where nothing is cut."""
-        sizes = self._burnt(None, _PILOT, 0, silent)["fire_size"]
+    def runs(self, work: float, *, cut: Breaks = None, least: int = 40, most: int = 2000) -> int:
+        """How many fires burn about `work` cells in all beside breaks, or where nothing is cut."""
+        sizes = self._burnt(cut, _PILOT, 0, silent)["fire_size"]
         return int(np.clip(work / max(float(sizes.mean()), 1.0), least, most))
 
     def losses(self, cut: Breaks, *, n_runs: int, first_run: int = 0, progress: Progress = silent) -> np.ndarray:

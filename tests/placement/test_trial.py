@@ -373,8 +373,8 @@ class _Told:
     def __init__(self, losses):
         self.losses_of, self.asked = losses, []
 
-    def runs(self, work):
-        return 10 if work >= 2e6 else 0
+    def runs(self, work, *, cut=None):
+        return {None: 10, "b": 30}[cut] if work >= 2e6 else 0
 
     def losses(self, cut, *, n_runs, first_run=0):
         self.asked.append((cut, n_runs, first_run))
@@ -389,3 +389,33 @@ def test_designs_are_tried_in_turn_and_the_best_two_meet_other_fires():
     assert [cut for cut, _, _ in trial.asked] == list("abcd")
     assert choice.chosen() == "c"  # looked worse than b on the first fires, loses less on all
     assert trial.asked[4:] == [("b", 10, 10), ("c", 10, 10)]
+    assert Choice(trial, 100, lambda design: design, "b").n_runs == 30
+
+
+def test_as_many_fires_as_burn_so_much_beside_breaks():
+    network = network_of(15, (50, 60), low=0.6, high=0.9)
+    trial = trial_of(network, residual=0.1)
+    cut = np.zeros(network.shape, bool)
+    cut[::8] = cut[1::8] = True
+    runs = {}
+    for name, some in (("none", None), ("bands", cut)):
+        runs[name] = trial.runs(2e5, cut=some)
+        # With a value of 1 everywhere what is lost are the cells that burn.
+        assert trial.losses(some, n_runs=runs[name]).sum() == pytest.approx(2e5, rel=0.3)
+    assert runs["bands"] > 1.5 * runs["none"]
+    assert trial.runs(1e9, cut=cut, most=700) == 700
+
+
+def test_where_breaks_leak_designs_meet_the_fires_that_walls_of_two_cells_allow(monkeypatch):
+    network = network_of(12, (50, 60), low=0.5, high=0.9)
+    asked = []
+
+    def runs(self, work, *, cut=None, **limits):
+        asked.append(None if cut is None else int(np.count_nonzero(cut)))
+        return 50
+
+    monkeypatch.setattr(Trial, "runs", runs)
+    for fires, money in (({"residual": 0.1}, 300.0), ({"hold": Hold(0.47, 100.0)}, 300.0)):
+        chosen(network, money, **fires)
+    assert 280 <= asked[0] <= 300
+    assert asked[1:] == [None]
