@@ -17,6 +17,7 @@ export XDG_RUNTIME_DIR=$place/run QGIS_CUSTOM_CONFIG_PATH=$place/config QGIS_PLU
 export SHOT_PROJECT=$place/firebreak_gis/qgis_plugin/sample/sample_landscape.qgs SHOT_PICTURE=$place/shot.png
 export PYTHONDONTWRITEBYTECODE=1
 unset PYTHONPATH
+export PATH=/usr/bin:$PATH  # see run.sh
 
 QT_QPA_PLATFORM=offscreen qgis_process.bin plugins enable firebreak >/dev/null 2>&1
 env -u QT_QPA_PLATFORM timeout 120 xvfb-run -a -s "-screen 0 1600x1000x24" \
