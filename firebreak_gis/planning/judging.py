@@ -73,7 +73,7 @@ class Judging:
     def assumptions(self) -> tuple[str, ...]:
         """What the numbers rest on, sentences."""
         told = [*self.fires.assumptions]
-        if self.fires.timeless and not self.fires.leaks:
+        if self.fires.holding.perfect and not self.fires.leaks:
             told.append("breaks hold in every fire")
         if self.hectares:
             told.append("segments are treated by " + ", ".join(f"{k} ({v:,.4g} ha)" for k, v in self.hectares.items()))
@@ -94,7 +94,9 @@ class Judging:
         fires = "until they end by themselves" if self.fires.duration is None else self.fires.duration.told()
         way = "" if self.fires.called is None else "where crews come before the fire"
         crews = "" if self.fires.crews is None else self.fires.crews.told()
-        return "; ".join(filter(None, (f"fires burn {fires}", crews, self.sky, self.fires.holding.told(), way)))
+        holds = self.fires.failures or [self.fires.holding.told()]
+        embers = "" if self.fires.embers is None else "embers fly"
+        return "; ".join(filter(None, (f"fires burn {fires}", crews, self.sky, embers, *holds, way)))
 
     @property
     def paper(self) -> FireRequest:

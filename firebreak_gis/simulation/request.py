@@ -161,11 +161,17 @@ class FireRequest:
         """What is assumed of the fires beside the spread model, in words, for accounts and pictures."""
         told = [f"fires burn {self.duration.told()}"] if self.duration else ["fires burn until they end by themselves"]
         told += [self.crews.told()] if self.crews else []
-        told += [self.holding.told()] if not self.holding.perfect else []
+        told += self.failures
         told += [self.called.told()] if self.called else []
-        told += [f"barriers hold in {self.barriers_hold:.3g} of fires"] if self.barriers_hold < 1 else []
-        told += [f"breaks that hold keep {self._kept} of the spread probability"] if self.leaks else []
         return told + ([self.embers.told()] if self.embers else [])
+
+    @property
+    def failures(self) -> list[str]:
+        """How breaks and barriers fail, in words; none where they never do."""
+        told = [] if self.holding.perfect else [self.holding.told()]
+        told += [f"barriers hold in {self.barriers_hold:.3g} of fires"] if self.barriers_hold < 1 else []
+        which = "breaks" if self.holding.perfect else "breaks that hold"
+        return told + ([f"{which} keep {self._kept} of the spread probability"] if self.leaks else [])
 
     @property
     def sources(self) -> tuple[str, ...]:

@@ -48,6 +48,26 @@ def told(outcome):
     return json.loads(outcome.stdout)["result"]
 
 
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({}, ["each 400 m of break holds in 0.47 of fires"]),
+        ({"hold": Hold(1.0)}, ["breaks hold"]),
+        ({"hold": Hold(1.0), "residual": 0.1}, ["breaks keep 0.1 of the spread probability"]),
+        ({"residual": 0.1}, ["holds in 0.47 of fires", "breaks that hold keep 0.1 of the spread probability"]),
+        ({"barriers_hold": 0.6}, ["holds in 0.47 of fires", "barriers hold in 0.6 of fires"]),
+        ({"embers": fb.Embers()}, ["embers", "holds in 0.47 of fires"]),
+    ],
+)
+def test_the_headline_and_the_assumptions_tell_every_way_in_which_breaks_fail(given, said):
+    judged = judging(FireRequest(**given), timed=True)
+    assumptions = " ".join(judged.assumptions).lower()
+    for words in said:
+        assert words in judged.short
+        assert words in assumptions
+    assert ("breaks hold" in judged.short) == ("breaks hold in every fire" in assumptions) == (said == ["breaks hold"])
+
+
 def test_a_plan_of_the_command_line_is_that_of_python(folder, tmp_path):
     words = ["--budget", 0.1, "--runs", 30, "--seed", 3, "--json"]
     asked = {
