@@ -166,6 +166,7 @@ class Plan(Shown):
             f"mean fire {summary['fire_ha_without_breaks']:,.4g} "
             f"\N{RIGHTWARDS ARROW} {summary['fire_ha_with_breaks']:,.4g} ha, "
             f"{100 * summary['saved_share']:.3g} % saved"
+            + (" if all is built" if self.years is not None and self.years.unbuilt else "")
         )
 
     @property
@@ -286,9 +287,23 @@ class Plan(Shown):
 
     @property
     def headline(self) -> list[str]:
-        """What the plan saves, as sentences: first under the fires that were asked or assumed, then in the paper's."""
+        """What the plan saves, as sentences: first under the fires that were asked or assumed, then in the paper's.
+
+        Over years that comes first which they bring, since before they are over less stands than is judged.
+        """
         told = headline(self.summary, self.judged)
-        return told if self.years is None else [*told, self.years.told, *self.request.calendar.assumptions]
+        if self.years is None:
+            return told
+        first, *others = told
+        bring = f"{self.years.told} ({self.judged.short})."
+        return [bring, f"{self.whole}{first[0].lower()}{first[1:]}", *others, *self.request.calendar.assumptions]
+
+    @property
+    def whole(self) -> str:
+        """What is to be said before numbers of the whole plan, where it is built over years."""
+        if self.years is None:
+            return ""
+        return "If all of it were built: " if self.years.unbuilt else "Once all of it stands: "
 
     @cached_property
     def goals(self) -> pd.DataFrame:

@@ -84,9 +84,8 @@ class YearsRequest:
     @property
     def assumptions(self) -> list[str]:
         """What the numbers of the years rest on, sentences."""
-        told = [
-            f"{self.fires_per_year:g} simulated fires start in a year, every year alike, and take the same fuel again."
-        ]
+        some = "fire starts" if self.fires_per_year == 1.0 else "fires start"
+        told = [f"{self.fires_per_year:g} simulated {some} in a year, every year alike, and take the same fuel again."]
         if self.return_interval is None:
             each = ", ".join(f"{name} in {years:g}" for name, years in RETURN.items())
             told.append(f"Treated fuel grows back ({each} years, if no treatment tells it), which is assumed.")
@@ -119,17 +118,22 @@ class Years:
     kept: Kept | None = None
 
     @property
+    def unbuilt(self) -> int:
+        """Number of segments that are not built within the years."""
+        return int((np.asarray(self.columns["year"]) == 0).sum())
+
+    @property
     def told(self) -> str:
-        """One sentence."""
+        """What is spent, stands and burns, a sentence without its end."""
         last, n = self.table.iloc[-1], len(self.table)
-        unfinished = int((np.asarray(self.columns["year"]) == 0).sum())
+        left = f", {self.unbuilt} segments are not built (a --budget of what the years pay may serve better)"
         return (
             f"Over {n} years {self.table['spent'].sum():,.4g} {self.unit} are spent, "
             f"{self.table['spent_upkeep'].sum():,.4g} of it on upkeep; {last['standing_ha']:,.4g} ha stand at the end"
             + ("" if self.kept is None else self.kept.told)
-            + (f", {unfinished} segments are not built" if unfinished else "")
+            + (left if self.unbuilt else "")
             + f", and {self.table['saved_ha'].sum():,.4g} ha less burn in all "
-            + f"({self.table['burnt_ha'].sum():,.4g} burn)."
+            + f"({self.table['burnt_ha'].sum():,.4g} burn)"
         )
 
 

@@ -20,11 +20,13 @@ from firebreak_gis.breaks import Budget
 from firebreak_gis.cli import firebreak
 from firebreak_gis.construction.compartments import compartments_of, split
 from firebreak_gis.errors import ParameterError
+from firebreak_gis.grid import Grid
 from firebreak_gis.kernels.draws import seed_for
+from firebreak_gis.landscape import write_landscape
 from firebreak_gis.landscape.lines import line_breaks, links_crossed
 from firebreak_gis.placement.trial import Trial
 from firebreak_gis.planning import line_design
-from firebreak_gis.planning.designs.lines import USUAL
+from firebreak_gis.planning.designs.lines import NO_WALL, USUAL
 from firebreak_gis.planning.judging import ASSUMED_DURATION, ASSUMED_HOLD
 from firebreak_gis.planning.line_design import WIDTHS, design_lines, paid_first
 from firebreak_gis.planning.outputs import write_plan
@@ -353,9 +355,31 @@ def test_plans_are_lines_where_these_can_be_planned_and_judged(make_landscape, a
 
 
 def test_a_budget_that_pays_no_wall_cuts_cells_where_nobody_asked_for_lines(landscape):
-    made = plan(landscape, budget=0.0005, n_runs=3)
+    asked = []
+    made = plan(landscape, budget=0.0005, n_runs=3, checked=asked.append)
     assert made.design.walls is None
     assert made.summary["cells_cut"] == round(0.0005 * made.network.n_burnable)
+    assert made.feasibility.warnings == (*asked[0].warnings, NO_WALL)
+
+
+def test_that_no_line_can_be_built_is_told(landscape, tmp_path):
+    """Cutting is allowed in the middle alone, where no wall ends on anything."""
+    write_landscape(landscape, tmp_path / "land")
+    layers = [tmp_path / "land" / f"{name}.tif" for name in ("elevation", "vegetation", "density")]
+    grid, area, out = Grid.of(landscape["burnable"]), tmp_path / "area.gpkg", tmp_path / "out"
+    west, south, east, north = grid.bounds
+    middle = shapely.Point((west + east) / 2, (south + north) / 2).buffer(5 * grid.cell_size)
+    gpd.GeoSeries([middle], crs=grid.crs).to_file(area)
+    words = ["plan", *layers, "--budget", "0.5%", "--aoi", area, "--runs", "5", "-o", out]
+    for more in ([], ["--goal", "worst-tenth", "--overwrite"]):
+        done = CliRunner().invoke(firebreak, [str(word) for word in (*words, *more)])
+        assert done.exit_code == 0, done.output
+        assert done.output.count(f"Warning: {NO_WALL}") == 1
+        assert NO_WALL in json.loads((out / "run.json").read_text())["warnings"]
+    strict = CliRunner().invoke(firebreak, [str(word) for word in (*words[:-1], tmp_path / "no", "--strict")])
+    assert strict.exit_code == 2
+    assert f"as --strict asks: {NO_WALL}" in strict.output
+    assert not (tmp_path / "no").exists()
 
 
 @settings(max_examples=200, deadline=None, derandomize=True)

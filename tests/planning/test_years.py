@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import itertools
 import json
+import re
 from dataclasses import replace
 
 import geopandas as gpd
@@ -162,13 +163,18 @@ def test_the_command_tells_the_years(tmp_path):
     words += ["--budget", "20%", "--years", "4", "--budget-per-year", "1ha", "--discount", "3%", "-o", tmp_path / "out"]
     done = CliRunner().invoke(firebreak, [str(w) for w in words])
     assert done.exit_code == 0, done.output
-    assert "Over 4 years" in done.output
+    account = json.loads((tmp_path / "out" / "run.json").read_text())
+    years, whole, *_ = account["headline"]
+    # What is not built within the years is not promised.
+    assert re.match(r"Over 4 years .* segments are not built .* ha less burn in all .*\(fires burn until", years)
+    assert whole.startswith("If all of it were built: cutting ")
+    assert done.output.index(years) < done.output.index(whole)
+    assert "If all of it were built: saved, " in done.output
     rows = list(csv.DictReader((tmp_path / "out" / "years.csv").read_text().splitlines()))
     assert [row["year"] for row in rows] == ["1", "2", "3", "4"]
     assert all(float(row["spent"]) <= 1.0 + 1e-9 for row in rows)
     lines = gpd.read_file(tmp_path / "out" / "segments.gpkg", layer="lines")
     assert {"year", "year_begun", "upkeep_years", "upkeep_year"} <= set(lines)
-    account = json.loads((tmp_path / "out" / "run.json").read_text())
     assert [row["year"] for row in account["summary"]["years"]] == [1, 2, 3, 4]
     page = (tmp_path / "out" / "report.html").read_text()
     assert "Year by year" in page
@@ -187,12 +193,18 @@ def test_all_segments_are_the_breaks_of_the_plan(make_landscape, width):
     area = made.network.grid.cell_area_ha
     every = np.ones(len(made.segments.lines), bool)
     assert made.design.part(~every) is None
+    assert made.headline[0].startswith("Over 3 years")
+    assert made.headline[1].startswith("Once all of it stands: cutting ")
+    assert "if all is built" not in made.title
     assert made.years.table["burnt_ha"].iloc[-1] == pytest.approx(float(made.after["fire_size"].mean()) * area)
     # Lines narrower than a cell have fuel under them too, but for a few pieces over bare ground.
     assert (made.segments.lines["upkeep_year"] > 0).mean() > 0.8
     few = plan(land, budget=0.08, line_width=width, n_runs=30, seed=2, years=YearsRequest(2, Budget(0.02)))
     stands = few.segments.lines["year"].to_numpy() > 0
     assert set(stands) == {False, True}
+    assert f", {np.count_nonzero(~stands)} segments are not built" in few.headline[0]
+    assert few.headline[1].startswith("If all of it were built: cutting ")
+    assert few.title.endswith("saved if all is built")
     part = few.years.table["burnt_ha"].iloc[-1] / area
     assert few.after["fire_size"].mean() < part < few.before["fire_size"].mean()
 

@@ -34,6 +34,8 @@ from firebreak_gis.planning.years import YearsRequest
 from firebreak_gis.simulation.request import FireRequest
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from firebreak_gis.planning.feasibility import Feasibility
 
 #: Place in the list of commands, which is the order of the work.
@@ -143,17 +145,24 @@ def command(
         landscape.attrs[name] = [*landscape.attrs.get(name, []), *sentences]
     if planes.ignition is not None:  # a raster: it shapes the plan, and the fires start by it
         request = replace(request, fires=replace(fires, ignitions=None))
+    reached: list[str] = []
+
+    def tell(found: Feasibility) -> None:
+        reached.extend(found.warnings)
+        _tell(session, found.account, found.warnings, strict=layers.strict)
+
     result = make_plan(
         landscape,
         request,
         planes,
-        checked=lambda found: _tell(session, found, strict=layers.strict),
+        checked=tell,
         foreseen=session.foresee if session.heard else None,
         progress=part(session.progress, 0.05, 0.95),
     )
     for key, say in (("alignment", session.say), ("warnings", session.warn)):  # what was done to the weather
         for sentence in result.landscape.attrs[key][len(landscape.attrs[key]) :]:
             say(sentence)
+    _tell(session, (), result.feasibility.warnings[len(reached) :], strict=layers.strict)
     files = write_plan(
         result,
         output.output,
@@ -166,25 +175,29 @@ def command(
     summary = result.summary
     judged = summary["judged"]
     told = {"headline": result.headline, "assumptions": result.judged.assumptions}
+    first = 1 if result.years is None else 2
+    saved = goals_told(result.goals)
+    if saved and result.whole:
+        saved = f"{result.whole}{saved[0].lower()}{saved[1:]}"
     session.finish(
         {"files": files, **told, **summary},
         f"{result.built}.\n"
-        f"{result.headline[0]}\n"
+        f"{chr(10).join(result.headline[:first])}\n"
         f"{' '.join(result.judged.assumptions)}\n"
         f"{judged['leverage']:.3g} ha saved per ha treated "
         f"({judged['leverage_low']:.3g} to {judged['leverage_high']:.3g}), "
         f"{judged['cvar_ha']:,.0f} ha burnt in the worst tenth of the fires.\n"
-        f"{''.join(f'{sentence}{chr(10)}' for sentence in result.headline[1:])}"
-        f"{goals_told(result.goals)}\n"
+        f"{''.join(f'{sentence}{chr(10)}' for sentence in result.headline[first:])}"
+        f"{saved}\n"
         f"{len(files)} files in {output.output}; look at overview.png first.",
     )
 
 
-def _tell(session: Session, found: Feasibility, *, strict: bool) -> None:
+def _tell(session: Session, account: Sequence[str], warnings: Sequence[str], *, strict: bool) -> None:
     """Say what the plan can reach."""
-    for sentence in found.account:
+    for sentence in account:
         session.say(sentence)
-    for sentence in found.warnings:
+    for sentence in warnings:
         session.warn(sentence)
-    if strict and found.warnings:
-        raise ParameterError("refused, as --strict asks: " + "; ".join(found.warnings))
+    if strict and warnings:
+        raise ParameterError("refused, as --strict asks: " + "; ".join(warnings))

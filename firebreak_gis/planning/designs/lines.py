@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -34,6 +34,8 @@ ORDER = 50
 USUAL = 30.0
 #: Maps of more cells with fuel get cells: their walls are found some ten times as fast.
 LARGEST = 300_000
+#: What is told where cells take the place of lines.
+NO_WALL = "the budget pays no wall of lines where cutting is allowed, so that whole cells are cut"
 
 
 def asked(request: DesignRequest) -> bool:
@@ -123,7 +125,8 @@ def make(setting: Setting, rest: Rest, progress: Progress) -> Design:
         progress=progress,
     )
     if setting.lines_usual and not found.bought(request.amount):
-        return rest(setting, progress)
+        seen = setting.found
+        return rest(replace(setting, found=replace(seen, warnings=(*seen.warnings, NO_WALL))), progress)
     return Lines(setting, found.priority, found.passed(request.amount), found)
 
 

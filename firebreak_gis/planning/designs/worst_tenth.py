@@ -44,4 +44,4 @@ def make(setting: Setting, rest: Rest, progress: Progress) -> Design:
         threads=setting.threads,
         progress=progress,
     )
-    return replace(best, setting=setting)
+    return replace(best, setting=replace(setting, found=best.setting.found))
