@@ -7,6 +7,7 @@ text, and a `Kind` (or, for options that may be repeated, a callback) here.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
 import click
@@ -102,6 +103,24 @@ class NewFile(click.Path):
         return path
 
 
+class _LandscapeFolder(click.Path):
+    """The folder of a landscape; a layer in its place is what someone gives who skips `align`."""
+
+    def __init__(self) -> None:
+        super().__init__(file_okay=False)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the path, which is no file."""
+        if Path(value).is_file():
+            self.fail(
+                f"{value} is a file; give the folder that firebreak align makes of the layers: "
+                "firebreak align DEM VEGETATION DENSITY -o FOLDER",
+                param,
+                ctx,
+            )
+        return super().convert(value, param, ctx)
+
+
 def pairs(_: click.Context, param: click.Parameter, words: Any) -> dict[str, str]:
     """Callback of options NAME=VALUE that may be repeated."""
     return parsing.pairs(words, _flag(param))
@@ -162,6 +181,7 @@ TREATMENTS = Kind("file|text", read=parsing.treatments)
 TRAVEL = Kind("text", read=parsing.travel)
 CONTAINMENT = Kind("text", read=parsing.containment)
 SHARE_OF_RUNS = Kind("number", read=parsing.share)
+LANDSCAPE_FOLDER = _LandscapeFolder()
 SEED = Whole(0)
 COUNT = Whole(1)
 WIND_COMPONENTS = _from_words(parsing.components)

@@ -21,6 +21,10 @@ _BAND = re.compile(r"^(?P<raster>.+):(?P<band>[1-9]\d{0,4})$", re.DOTALL)
 _REMOTE = re.compile(r"^(/vsi|[A-Za-z0-9+.-]{2,}://|[A-Za-z0-9_]{2,}:)")
 
 
+#: How many rasters of a folder are named.
+_NAMED = 4
+
+
 def gdal_name(name: str) -> str:
     """Return the name under which GDAL opens a raster: `a.nc:dem` becomes `NETCDF:"a.nc":dem`."""
     found = None if stands(name) else _VARIABLE.match(name)
@@ -80,7 +84,7 @@ def look_first(name: str, remote: bool) -> None:
     try:
         if Path(path).is_dir():
             if path == name:
-                raise InputError(f"{name} is a folder, expected a raster file in it")
+                raise InputError(f"{name} is a folder, expected a raster file in it{_such_as(Path(path))}")
             return
         if not Path(path).exists():
             raise InputError(f"{path} does not exist; check the name and the folder {Path(path).absolute().parent}")
@@ -102,3 +106,9 @@ def first_bytes(path: str) -> bytes:
 def is_markup(start: bytes) -> bool:
     """Whether a file that begins so is XML or HTML."""
     return start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<")
+
+
+def _such_as(folder: Path) -> str:
+    """Rasters of a folder that was named in place of one."""
+    found = sorted(str(each) for each in folder.iterdir() if each.suffix.lower() in (".tif", ".tiff"))
+    return f", such as {', '.join(found[:_NAMED])}" if found else ""

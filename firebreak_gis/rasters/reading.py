@@ -396,6 +396,7 @@ def _require_bands(
             more = f" in the order {' '.join(DIRECTIONS)}" if expected > 1 else ""
             raise InputError(
                 f"{name} has {len(bands)} bands, expected {expected}{more} for {variable.name} ({variable.text})"
+                + ("; firebreak network makes such a file" if variable.name == "spread_probability" else "")
             )
         texts = [str(source.descriptions[band - 1] or "") for band in bands]
         told = [text.split(":")[0].strip().upper().split(" ")[-1] for text in texts]

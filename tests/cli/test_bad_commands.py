@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+from pathlib import Path
 
 import geopandas as gpd
 import numpy as np
@@ -125,6 +126,30 @@ COMMANDS = {
         ["network", "land", "-o", "n.tif", "--max-memory", "200MB"],
         5,
         ["network on 24 x 31"],
+    ),
+    "layer for a landscape": (
+        None,
+        ["network", "dem.tif", "-o", "n.tif"],
+        2,
+        ["dem.tif is a file", "firebreak align DEM"],
+    ),
+    "layer for a network": (
+        None,
+        ["rank", "dem.tif", "-o", "p.tif"],
+        3,
+        ["dem.tif has 1 bands", "firebreak network makes"],
+    ),
+    "landscape for a layer": (
+        lambda f: call("align", *LAYERS, "-o", "land"),
+        ["plan", "land", "-o", "out"],
+        3,
+        ["land is a folder", *(str(Path("land", f"{name}.tif")) for name in ("density", "elevation", "vegetation"))],
+    ),
+    "folder for a layer": (
+        text("some/file"),
+        ["plan", "some", "-o", "out"],
+        3,
+        ["some is a folder, expected a raster"],
     ),
     "folder missing": (None, ["rank", "net.tif", "-o", "no/p.tif"], 4, ["no", "does not exist"]),
     "dry run, output exists": (text("out/run.json"), [*PLAN, "-o", "out", "--dry-run"], 4, ["run.json exists"]),

@@ -212,7 +212,8 @@ def command(
     )
     headline = told(found)
     each = ", ".join(f"{name} {years:g}" for name, years in intervals.items())
-    known = f"{fires_per_year:g} fires a year; years until treated fuel has grown back: {each}."
+    some = "fire" if fires_per_year == 1.0 else "fires"
+    known = f"{fires_per_year:g} {some} a year; years until treated fuel has grown back: {each}."
     about = {
         "assumptions": [*judged.assumptions, known],
         "alignment": laid.alignment,

@@ -77,7 +77,7 @@ OUTPUTS: tuple[Output[_Delineated], ...] = (
 
 
 @click.command("delineate")
-@click.argument("folder", type=click.Path(file_okay=False))
+@click.argument("folder", type=kinds.LANDSCAPE_FOLDER)
 @outputs.output_folder(OUTPUTS)
 @click.option(
     "--size",

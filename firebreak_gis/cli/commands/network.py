@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from firebreak_gis.cli import options, outputs, weather_options
+from firebreak_gis.cli import kinds, options, outputs, weather_options
 from firebreak_gis.cli.layers import input_files
 from firebreak_gis.cli.requests import built, recorded
 from firebreak_gis.cli.session import Session
@@ -18,7 +18,7 @@ STEP = 3
 
 
 @click.command("network")
-@click.argument("folder", type=click.Path(file_okay=False))
+@click.argument("folder", type=kinds.LANDSCAPE_FOLDER)
 @outputs.output_file("GeoTIFF of 8 bands, or 17 with --clock,")
 @weather_options.spread
 @weather_options.clock

@@ -8,14 +8,14 @@ from typing import Any
 
 import click
 
-from firebreak_gis.cli import options, outputs, stakes_options
+from firebreak_gis.cli import kinds, options, outputs, stakes_options
 from firebreak_gis.cli.requests import built
 from firebreak_gis.cli.session import Session
 from firebreak_gis.files.request import OutputRequest
 
 
 @click.command("siting")
-@click.argument("folder", type=click.Path(file_okay=False))
+@click.argument("folder", type=kinds.LANDSCAPE_FOLDER)
 @outputs.output_file("Suitability GeoTIFF")
 @stakes_options.roads
 @stakes_options.rivers
