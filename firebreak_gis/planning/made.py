@@ -395,6 +395,7 @@ class Plan(Shown):
         )
         if self.years is not None:
             figures["years"] = self.years.table.replace({np.nan: None}).to_dict("records")
+            figures["unbuilt_segments"] = self.years.unbuilt
         figures["goals"] = self.goals.replace({np.nan: None}).to_dict("records")
         if self.request.design.method != "random":
             figures["p_value_against_random"] = float(chosen["p_value"])

@@ -134,7 +134,8 @@ class Kept:
     def told(self) -> str:
         """How many are kept up, and how many dropped, to go on a sentence."""
         n = int((self.table["keep"] == "yes").sum())
-        return f"; of {len(self.cells)} existing breaks {n} are kept up, which takes {self.upkeep:,.4g} a year"
+        kept = f"{n} {'is' if n == 1 else 'are'} kept up"
+        return f"; of {len(self.cells)} existing breaks {kept}, which takes {self.upkeep:,.4g} a year"
 
     def area_ha(self, year: int) -> float:
         """Area of those that stand in a year."""

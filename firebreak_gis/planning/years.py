@@ -126,12 +126,14 @@ class Years:
     def told(self) -> str:
         """What is spent, stands and burns, a sentence without its end."""
         last, n = self.table.iloc[-1], len(self.table)
-        left = f", {self.unbuilt} segments are not built (a --budget of what the years pay may serve better)"
+        n_left = self.unbuilt
+        some = "segment is" if n_left == 1 else "segments are"
+        left = f", {n_left} {some} not built (more --budget-per-year builds more, a smaller --budget chooses others)"
         return (
             f"Over {n} years {self.table['spent'].sum():,.4g} {self.unit} are spent, "
             f"{self.table['spent_upkeep'].sum():,.4g} of it on upkeep; {last['standing_ha']:,.4g} ha stand at the end"
             + ("" if self.kept is None else self.kept.told)
-            + (left if self.unbuilt else "")
+            + (left if n_left else "")
             + f", and {self.table['saved_ha'].sum():,.4g} ha less burn in all "
             + f"({self.table['burnt_ha'].sum():,.4g} burn)"
         )

@@ -182,6 +182,8 @@ def test_the_command_tells_the_years(tmp_path):
     assert "Year 1," in page
     assert "Year 0" not in page
     assert "Value lost" not in page
+    assert account["summary"]["unbuilt_segments"] == np.count_nonzero(lines["year"] == 0)
+    assert "a fire, if all breaks were built" in page
 
 
 @pytest.mark.parametrize("width", [None, 6.0])
@@ -196,6 +198,7 @@ def test_all_segments_are_the_breaks_of_the_plan(make_landscape, width):
     assert made.headline[0].startswith("Over 3 years")
     assert made.headline[1].startswith("Once all of it stands: cutting ")
     assert "if all is built" not in made.title
+    assert made.summary["unbuilt_segments"] == 0
     assert made.years.table["burnt_ha"].iloc[-1] == pytest.approx(float(made.after["fire_size"].mean()) * area)
     # Lines narrower than a cell have fuel under them too, but for a few pieces over bare ground.
     assert (made.segments.lines["upkeep_year"] > 0).mean() > 0.8

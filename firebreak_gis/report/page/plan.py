@@ -103,6 +103,7 @@ def _headline(summary: Mapping[str, Any]) -> tuple[str, ...]:
 
 def _figures(summary: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:
     shown = []
+    breaks = "if all breaks were built" if summary.get("unbuilt_segments") else "with the breaks"
     if "ha_cut" in summary:
         share = 100 * summary["ha_cut"] / max(summary.get("burnable_ha", 0.0), 1e-9)
         shown.append(
@@ -110,8 +111,8 @@ def _figures(summary: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:
         )
     judged = summary.get("judged", {})
     for name, key, note in (
-        ("Burnt in the mean", "burnt_ha", "a fire, with the breaks"),
-        ("Burnt in the worst tenth", "cvar_ha", "mean of these fires, with the breaks"),
+        ("Burnt in the mean", "burnt_ha", f"a fire, {breaks}"),
+        ("Burnt in the worst tenth", "cvar_ha", f"mean of these fires, {breaks}"),
         ("Saved per hectare cut", "leverage", "hectares a fire"),
     ):
         if key in judged:
