@@ -85,11 +85,14 @@ class YearsRequest:
     def assumptions(self) -> list[str]:
         """What the numbers of the years rest on, sentences."""
         some = "fire starts" if self.fires_per_year == 1.0 else "fires start"
-        told = [f"{self.fires_per_year:g} simulated {some} in a year, every year alike, and take the same fuel again."]
+        told = [
+            f"{self.fires_per_year:g} simulated {some} in a year, every year alike, as if nothing had burnt before."
+        ]
         if self.return_interval is None:
             each = ", ".join(f"{name} in {years:g}" for name, years in RETURN.items())
             told.append(f"Treated fuel grows back ({each} years, if no treatment tells it), which is assumed.")
-        told.append(f"Treating anew costs {self.upkeep_cost:g} of treating first.")
+        as_much = "as much as" if self.upkeep_cost == 1.0 else f"{100 * self.upkeep_cost:.3g} % of"
+        told.append(f"Treating anew costs {as_much} treating first.")
         return told
 
 
@@ -126,14 +129,12 @@ class Years:
     def told(self) -> str:
         """What is spent, stands and burns, a sentence without its end."""
         last, n = self.table.iloc[-1], len(self.table)
-        n_left = self.unbuilt
-        some = "segment is" if n_left == 1 else "segments are"
-        left = f", {n_left} {some} not built (more --budget-per-year builds more, a smaller --budget chooses others)"
+        left = f", {self.unbuilt} {'segment is' if self.unbuilt == 1 else 'segments are'} not built"
         return (
             f"Over {n} years {self.table['spent'].sum():,.4g} {self.unit} are spent, "
             f"{self.table['spent_upkeep'].sum():,.4g} of it on upkeep; {last['standing_ha']:,.4g} ha stand at the end"
             + ("" if self.kept is None else self.kept.told)
-            + (left if n_left else "")
+            + (left if self.unbuilt else "")
             + f", and {self.table['saved_ha'].sum():,.4g} ha less burn in all "
             + f"({self.table['burnt_ha'].sum():,.4g} burn)"
         )

@@ -166,7 +166,7 @@ def test_the_command_tells_the_years(tmp_path):
     account = json.loads((tmp_path / "out" / "run.json").read_text())
     years, whole, *_ = account["headline"]
     # What is not built within the years is not promised.
-    assert re.match(r"Over 4 years .* segments are not built .* ha less burn in all .*\(fires burn until", years)
+    assert re.match(r"Over 4 years .* segments are not built, and .* ha less burn in all .*\(fires burn until", years)
     assert whole.startswith("If all of it were built: cutting ")
     assert done.output.index(years) < done.output.index(whole)
     assert "If all of it were built: saved, " in done.output

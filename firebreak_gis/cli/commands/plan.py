@@ -163,6 +163,10 @@ def command(
         for sentence in result.landscape.attrs[key][len(landscape.attrs[key]) :]:
             say(sentence)
     _tell(session, (), result.feasibility.warnings[len(reached) :], strict=layers.strict)
+    if result.years is not None and result.years.unbuilt:
+        session.say(
+            "for breaks that are not built within the years: give more --budget-per-year, or a smaller --budget"
+        )
     files = write_plan(
         result,
         output.output,
