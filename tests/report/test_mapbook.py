@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import time
+from dataclasses import replace
 
 import geopandas as gpd
 import numpy as np
@@ -57,6 +58,16 @@ def texts(path):
 def flat(text):
     """Its words; where a font moves letters apart, a reader may see a gap behind a bracket."""
     return " ".join(text.split()).replace("( ", "(")
+
+
+def require_on_paper(path):
+    """No letter lies within 10 points of the edge of its page, or off it."""
+    with pypdfium2.PdfDocument(path) as document:
+        for page in document:
+            text = page.get_textpage()
+            boxes = np.array([text.get_charbox(k) for k in range(text.count_chars())])
+            assert (boxes[:, :2] > 10).all()
+            assert (boxes[:, 2:] < np.array(page.get_size()) - 10).all()
 
 
 def own_pages(path):
@@ -223,10 +234,12 @@ def test_equal_plans_give_equal_bytes_without_a_date(atlas, folder, tmp_path):
 
 
 def test_years_treatments_and_prices_are_shown_where_there_are_any(made, atlas, tmp_path):
-    treated = made.segments.lines.assign(treatment="Räumung", treatment_yearly=123.45)
+    long = "Räumung + kontrolliertes Brennen + Beweidung"
+    treated = made.segments.lines.assign(treatment=long, treatment_yearly=123.45)
     lines = treated.assign(year=2027 + treated["order"] // 10, cost=treated["cells"] * 321.5)
     other = Atlas("t", lines, atlas.grid, polygons=atlas.polygons, elevation=atlas.elevation)
     write_book(tmp_path / "t.pdf", other, most=3)
+    require_on_paper(tmp_path / "t.pdf")
     for k, text in enumerate(own_pages(tmp_path / "t.pdf")):
         row = lines.iloc[k]
         assert f"Year {row.year}" in text
@@ -235,7 +248,51 @@ def test_years_treatments_and_prices_are_shown_where_there_are_any(made, atlas, 
         assert f"Cost a year {row.treatment_yearly:,.2f}" in text
     listed = flat(texts(tmp_path / "t.pdf")[1])
     assert "Segment Stage Year Length" in listed
+    # Long names are written smaller, and not over the next column.
+    with pypdfium2.PdfDocument(tmp_path / "t.pdf") as document:
+        page = document[1].get_textpage()
+        place = page.search(long).get_next()
+        left = page.get_charbox(place[0])[0]
+        steep = page.search("Steepest").get_next()
+        assert left > page.get_charbox(steep[0] + steep[1] - 1)[2]
     assert "Treatment Cost Saves Page" in listed
+
+
+def test_segments_that_no_year_builds_have_none(made, tmp_path):
+    polygons, lines = made.segments.polygons, made.segments.lines
+    year = np.where(lines["order"] > 3, 0, 2)
+    write_segments(tmp_path / "s.gpkg", lines.assign(year=year), polygons.assign(year=year))
+    write_book(tmp_path / "y.pdf", read_atlas(tmp_path / "s.gpkg"), most=4)
+    own = own_pages(tmp_path / "y.pdf")
+    assert [re.search("Year (not within the years|[0-9]+)", text)[1] for text in own] == ["2"] * 3 + [
+        "not within the years"
+    ]
+    listed = flat(texts(tmp_path / "y.pdf")[1])
+    assert re.search(r"\b3 \d+ 2 ", listed)
+    assert re.search(r"\b4 \d+ – ", listed)
+
+
+@pytest.mark.parametrize("words", [10, 400, 4000])
+@pytest.mark.parametrize(("paper", "portrait"), [("a4", False), ("a4", True), ("letter", False)])
+def test_however_much_is_to_be_said_all_of_it_lies_on_paper(atlas, tmp_path, paper, portrait, words):
+    said = {what: [f"{what}{k}" for k in range(words)] for what in ("head", "assumed", "warned")}
+    said = {what: [" ".join(each[k : k + 40]) for k in range(0, words, 40)] for what, each in said.items()}
+    texts_of = {"headline": said["head"], "assumptions": said["assumed"], "warnings": said["warned"]}
+    other = replace(atlas, **{name: tuple(each) for name, each in texts_of.items()})
+    write_book(tmp_path / "m.pdf", other, most=2, paper=paper, portrait=portrait)
+    require_on_paper(tmp_path / "m.pdf")
+    found = [flat(each) for each in texts(tmp_path / "m.pdf")]
+    missing = {word for each in said.values() for some in each for word in some.split()} - set(" ".join(found).split())
+    assert missing == set()
+    assert said["head"][0] in found[0]
+    assert "built first (stage 1)" in found[0]
+    about = [k for k, each in enumerate(found) if "What the plan saves, and what that assumes" in each]
+    assert about == list(range(1, 1 + len(about)))
+    assert bool(about) == (words > 10)
+    listed = next(k for k, each in enumerate(found) if each.startswith("Segments in order"))
+    assert f"page {listed + 1}" in found[listed]
+    own = [k for k, each in enumerate(found) if each.startswith("Segment ")]
+    assert all(f"page {k + 1}" in found[k] for k in own)
 
 
 def test_short_segments_may_go_without_a_page(atlas, tmp_path):

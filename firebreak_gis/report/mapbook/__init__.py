@@ -99,11 +99,16 @@ def _drawn(atlas: Atlas, paper: pages.Sheet, own: list[int], progress: Progress 
 def _pages(atlas: Atlas, paper: pages.Sheet, own: list[int]) -> Iterator[tuple[Figure, int]]:
     """Every page, and how many there are in all."""
     footer = f"{atlas.title}   \N{MIDDLE DOT}   {atlas.sources[0]}" if atlas.sources else atlas.title
+    note = _note(atlas, own)
+    about = pages.about(atlas, paper, footer, note, 2)
+    before = 1 + len(about)
     listed = pages.pages_of_list(atlas, paper)
-    total = 1 + listed + len(own)
-    page_of = {k: 2 + listed + n for n, k in enumerate(own)}
-    yield pages.overview(atlas, paper, footer, _note(atlas, own)), total
-    for figure in pages.contents(atlas, paper, footer, page_of, 2):
+    total = before + listed + len(own)
+    page_of = {k: before + listed + 1 + n for n, k in enumerate(own)}
+    yield pages.overview(atlas, paper, footer, note), total
+    for figure in about:
+        yield figure, total
+    for figure in pages.contents(atlas, paper, footer, page_of, before + 1):
         yield figure, total
     for k, number in page_of.items():
         yield pages.segment(atlas, paper, footer, k, number), total

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
+from itertools import count
 from typing import TYPE_CHECKING, Any
 
 from firebreak_gis.construction.writing import STAGE_COLOURS
 from firebreak_gis.grid import crs_name
 from firebreak_gis.report.mapbook import maps
 from firebreak_gis.report.mapbook.atlas import Atlas, percent
+from firebreak_gis.report.mapbook.columns import GREY, Box, Column, Flow, fitting, put
 from firebreak_gis.schema import COLUMNS, VARIABLES
 
 if TYPE_CHECKING:
@@ -21,9 +24,9 @@ PAPERS = {"a4": (8.268, 11.693), "a3": (11.693, 16.535), "letter": (8.5, 11.0)}
 #: Colour of the segment of a page, and the finest scale of its map.
 THIS, FINEST = "#d7191c", 5000.0
 _EDGE = 0.45
-_GREY = "#555555"
 
-Box = tuple[float, float, float, float]
+#: Writes something in a column.
+Block = Callable[[Column], None]
 
 
 @dataclass(frozen=True)
@@ -83,11 +86,11 @@ def empty(paper: Sheet, title: str, right: str, footer: str) -> Figure:
     from matplotlib.lines import Line2D
 
     figure = Figure(figsize=(paper.width, paper.height))
-    _put(figure, _EDGE, paper.height - 0.42, title, fontsize=15, fontweight="bold", va="center")
-    _put(figure, paper.width - _EDGE, paper.height - 0.42, right, fontsize=10, ha="right", va="center")
+    put(figure, _EDGE, paper.height - 0.42, title, fontsize=15, fontweight="bold", va="center")
+    put(figure, paper.width - _EDGE, paper.height - 0.42, right, fontsize=10, ha="right", va="center")
     level = (paper.height - 0.66) / paper.height
     figure.add_artist(Line2D([_EDGE / paper.width, 1 - _EDGE / paper.width], [level, level], color="black", lw=0.8))
-    _put(figure, _EDGE, 0.22, footer, fontsize=6.5, color=_GREY, va="center")
+    put(figure, _EDGE, 0.22, footer, fontsize=6.5, color=GREY, va="center")
     return figure
 
 
@@ -102,18 +105,75 @@ def overview(atlas: Atlas, paper: Sheet, footer: str, note: str) -> Figure:
     maps.draw_lines(axes, list(atlas.lines.geometry), stage_colours(atlas), 1.7, zorder=3.5)
     maps.draw_numbers(axes, atlas, window, size=5.0)
     maps.dress(axes, window, metres=atlas.grid.crs is not None)
-    boxes = paper.columns(0.5, 0.5)
-    column = _Column(figure, boxes[0])
-    for k, sentence in enumerate(atlas.headline):
+    whole = _fits(atlas, paper, note)
+    for box, blocks in zip(paper.columns(0.5, 0.5), _beside(atlas, paper, note, whole=whole), strict=False):
+        column = Column(figure, box)
+        for block in blocks:
+            block(column)
+    return figure
+
+
+def about(atlas: Atlas, paper: Sheet, footer: str, note: str, first_page: int) -> list[Figure]:
+    """Pages of what the plan saves and assumes, if there is no room for all of it beside the overview."""
+    if _fits(atlas, paper, note):
+        return []
+    numbers = count(first_page)
+    width = (paper.width - 3 * _EDGE) / 2
+
+    def turn() -> tuple[Figure, list[Box]]:
+        figure = empty(paper, "What the plan saves, and what that assumes", f"page {next(numbers)}", footer)
+        return figure, [(left, 0.55, width, paper.height - 1.35) for left in (_EDGE, 2 * _EDGE + width)]
+
+    flow = Flow(turn)
+    _saved(atlas, flow)
+    _assumed(atlas, flow)
+    return flow.figures
+
+
+def _fits(atlas: Atlas, paper: Sheet, note: str) -> bool:
+    """Whether all that is said of the plan has room beside the overview."""
+    for box, blocks in zip(paper.columns(0.5, 0.5), _beside(atlas, paper, note, whole=True), strict=False):
+        column = Column(None, box)
+        for block in blocks:
+            block(column)
+        if not column.fits:
+            return False
+    return True
+
+
+def _beside(atlas: Atlas, paper: Sheet, note: str, *, whole: bool) -> list[list[Block]]:
+    """What stands in each column beside the overview."""
+    plan: list[Block] = [partial(_saved, atlas, most=None if whole else _FIRST)]
+    plan.append(partial(_assumed, atlas) if whole else _further)
+    use: list[Block] = [partial(_use, atlas, note)]
+    return [plan + use] if paper.wide else [plan, use]
+
+
+#: Sentences of the headline that stand beside the overview where there is no room for all.
+_FIRST = 2
+
+
+def _saved(atlas: Atlas, column: Column, *, most: int | None = None) -> None:
+    for k, sentence in enumerate(atlas.headline[:most]):
         column.say(sentence, size=8.5 if k == 0 else 7.5, bold=k == 0)
     column.gap()
+
+
+def _further(column: Column) -> None:
+    column.say("What this assumes stands on the next page.", bold=True)
+
+
+def _assumed(atlas: Atlas, column: Column) -> None:
     if atlas.assumptions:
         column.head("What this assumes")
         column.say(" ".join(atlas.assumptions))
     if atlas.warnings:
         column.head("Look at this first")
         column.say(" ".join(atlas.warnings))
-    column = column if paper.wide else _Column(figure, boxes[1])
+
+
+def _use(atlas: Atlas, note: str, column: Column) -> None:
+    """How to read the book, and what the colours of the map mean."""
     column.head("How to read the pages")
     column.say(note)
     column.head("Map")
@@ -123,8 +183,7 @@ def overview(atlas: Atlas, paper: Sheet, footer: str, note: str) -> Figure:
     _ground_key(column, atlas)
     column.say(_system(atlas))
     for line in atlas.sources:
-        column.say(line, size=6, colour=_GREY)
-    return figure
+        column.say(line, size=6, colour=GREY)
 
 
 def pages_of_list(atlas: Atlas, paper: Sheet) -> int:
@@ -151,7 +210,7 @@ def contents(atlas: Atlas, paper: Sheet, footer: str, page_of: dict[int, int], f
             _EDGE + (paper.width - 2 * _EDGE) * (sum(shares[: k + 1]) / sum(shares)) - 0.08 for k in range(len(shares))
         ]
         for k, (_, head) in enumerate(columns):
-            _put(figure, ends[k], y, head, fontsize=7.5, fontweight="bold", ha="right")
+            put(figure, ends[k], y, head, fontsize=7.5, fontweight="bold", ha="right")
         rows = list(range(start, min(start + room, len(table))))
         for line, place in enumerate(rows, 1):
             row = table.iloc[place]
@@ -159,13 +218,14 @@ def contents(atlas: Atlas, paper: Sheet, footer: str, page_of: dict[int, int], f
                 _stripe(figure, paper, y - line * _ROW)
             for k, (name, _) in enumerate(columns):
                 text = _cell(name, page_of.get(place) if name == "page" else row[name])
-                _put(figure, ends[k], y - line * _ROW, text, fontsize=7.5, ha="right")
+                width = ends[k] - (ends[k - 1] if k else _EDGE) - 0.1
+                put(figure, ends[k], y - line * _ROW, text, fontsize=fitting(text, 72 * width, 7.5), ha="right")
         if rows[-1] == len(table) - 1:
             sums = {name: table[name].sum() for name in ("length_m", "area_ha", "cost", "gain_share") if name in table}
             level = y - (len(rows) + 1.2) * _ROW
             for k, (name, _) in enumerate(columns):
                 text = "Sum" if k == 0 else _cell(name, sums[name]) if name in sums else ""
-                _put(figure, ends[k], level, text, fontsize=7.5, fontweight="bold", ha="right")
+                put(figure, ends[k], level, text, fontsize=7.5, fontweight="bold", ha="right")
         yield figure
 
 
@@ -193,7 +253,7 @@ def segment(atlas: Atlas, paper: Sheet, footer: str, k: int, number: int) -> Fig
     ends = _ends(shape)
     maps.dress(axes, window, metres=atlas.grid.crs is not None)
     boxes = paper.columns(0.38, 0.34, 0.28)
-    column = _Column(figure, boxes[0])
+    column = Column(figure, boxes[0])
     for name, value in atlas.facts(k):
         column.pair(name, value)
     column.head("Ends")
@@ -201,7 +261,7 @@ def segment(atlas: Atlas, paper: Sheet, footer: str, k: int, number: int) -> Fig
         for line in _placed(atlas, place):
             column.pair(letter, line)
             letter = ""
-    column = column if paper.wide else _Column(figure, boxes[1])
+    column = column if paper.wide else Column(figure, boxes[1])
     column.head("Why")
     for sentence in atlas.why(k):
         column.say(sentence, size=8.5)
@@ -247,67 +307,13 @@ def _cell(name: str, value: Any) -> str:
     return str(value) if name == "page" else COLUMNS[name].told(value).replace(" degrees", "\N{DEGREE SIGN}")
 
 
-class _Column:
-    """Texts from the top of a box downwards."""
-
-    def __init__(self, figure: Figure, box: Box) -> None:
-        self._figure = figure
-        self._left, self.y, self._width = box[0], box[1] + box[3], box[2]
-
-    def say(self, text: str, *, size: float = 7.5, bold: bool = False, colour: str = "black") -> None:
-        """A paragraph."""
-        letters = int(self._width * 72 / (size * (0.60 if bold else 0.535)))
-        for line in textwrap.wrap(text, letters):
-            weight = "bold" if bold else "normal"
-            _put(self._figure, self._left, self.y, line, fontsize=size, va="top", color=colour, fontweight=weight)
-            self.y -= size * 1.28 / 72
-        self.y -= 0.04
-
-    def head(self, text: str) -> None:
-        """A heading."""
-        self.y -= 0.06
-        self.say(text, size=9, bold=True)
-
-    def pair(self, name: str, value: str) -> None:
-        """A name and a value beside it."""
-        indent, size = (0.22, 9.0) if len(name) < 3 else (1.3, 10.5)
-        _put(self._figure, self._left, self.y, name, fontsize=9, va="top", color=_GREY)
-        _put(self._figure, self._left + indent, self.y, value, fontsize=size, va="top")
-        self.y -= size * 1.45 / 72
-
-    def key(self, entries: Sequence[tuple[str, str]], *, patch: bool) -> None:
-        """Colours and what they mean, two in a row."""
-        from matplotlib.lines import Line2D
-
-        width, height = self._figure.get_size_inches()
-        for k, (text, colour) in enumerate(entries):
-            x, y = self._left + (k % 2) * self._width / 2, self.y - 0.06
-            ends = [x / width, (x + 0.22) / width]
-            self._figure.add_artist(
-                Line2D(ends, [y / height] * 2, color=colour, lw=7 if patch else 2.2, solid_capstyle="butt")
-            )
-            _put(self._figure, x + 0.29, y, text, fontsize=7, va="center")
-            if k % 2 or k == len(entries) - 1:
-                self.y -= 0.155
-
-    def gap(self) -> None:
-        """Some room."""
-        self.y -= 0.06
-
-
-def _ground_key(column: _Column, atlas: Atlas) -> None:
+def _ground_key(column: Column, atlas: Atlas) -> None:
     """Colours of the ground, and what is drawn on it."""
     if atlas.vegetation is not None:
         variable = VARIABLES["vegetation"]
         named = {**variable.classes, 0: "no fuel"}
         column.key([(named[code], maps.faint(colour)) for code, colour in variable.colours.items()], patch=True)
     column.key([(word, colour) for word, colour in _DRAWN if getattr(atlas, word) is not None], patch=False)
-
-
-def _put(figure: Figure, x: float, y: float, text: str, **look: Any) -> None:
-    """Text at a place in inches; a dollar is a dollar, and readers of the text come to it before the map's numbers."""
-    width, height = figure.get_size_inches()
-    figure.text(x / width, y / height, text, parse_math=False, zorder=-1, **look)
 
 
 def _stripe(figure: Figure, paper: Sheet, y: float) -> None:
