@@ -21,6 +21,7 @@ from firebreak_gis.errors import Cancelled, InputError
 from firebreak_gis.planning.outputs import write_plan
 from firebreak_gis.report.mapbook import maps, pages, write_book
 from firebreak_gis.report.mapbook.atlas import Atlas, percent, read_atlas
+from firebreak_gis.report.mapbook.columns import wrapped
 from firebreak_gis.vectors import write_vector
 
 POINT = 1 / 72  # inch
@@ -293,6 +294,16 @@ def test_however_much_is_to_be_said_all_of_it_lies_on_paper(atlas, tmp_path, pap
     assert f"page {listed + 1}" in found[listed]
     own = [k for k, each in enumerate(found) if each.startswith("Segment ")]
     assert all(f"page {k + 1}" in found[k] for k in own)
+
+
+def test_paragraphs_are_broken_between_words_alone_as_long_as_these_have_room():
+    text = "from 587\N{NO-BREAK SPACE}212 E to 4\N{NO-BREAK SPACE}006\N{NO-BREAK SPACE}216 N  " + "x" * 40
+    assert wrapped(text, 1e4, 7.5) == [text]
+    lines = wrapped(text, 60.0, 7.5)
+    assert "".join(lines).replace(" ", "") == text.replace(" ", "")
+    assert any("4\N{NO-BREAK SPACE}006\N{NO-BREAK SPACE}216" in line for line in lines)
+    assert sum(set(line) == {"x"} for line in lines) > 1
+    assert wrapped("", 60.0, 7.5) == [""]
 
 
 def test_short_segments_may_go_without_a_page(atlas, tmp_path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
@@ -29,9 +30,11 @@ def wrapped(text: str, room: float, size: float, weight: str = "normal") -> list
     >>> wrapped("as long as a day in May", 50.0, 7.5)
     ['as long as a', 'day in May']
     """
+    if _wide(text, size, weight) <= room:
+        return [text]
     lines, line, used = [], "", 0.0
     gap = _wide("a b", size, weight) - _wide("ab", size, weight)
-    for word in text.split():
+    for word in re.split("[ \n\t]+", text.strip()):  # and not at spaces that hold numbers together
         for piece in _broken(word, room, size, weight):
             wide = _wide(piece, size, weight)
             if line and used + gap + wide > room:
