@@ -188,17 +188,22 @@ class Column:
         SI, "ha", or "" for numbers and shares, and for money and values, whose unit the user knows.
     digits
         Digits behind the point where people read it.
+    zero
+        What 0 means, if it is no amount.
     """
 
     text: str
     short: str
     unit: str = ""
     digits: int = 0
+    zero: str = ""
 
     @property
     def alias(self) -> str:
-        """The text with the unit."""
-        return f"{self.text} [{self.unit}]" if self.unit else self.text
+        """The text with the unit, and with what 0 means."""
+        return (
+            f"{self.text} [{self.unit}]" if self.unit else f"{self.text} (0: {self.zero})" if self.zero else self.text
+        )
 
     def told(self, value: object) -> str:
         """A value as people read it; a dash for nothing."""
@@ -206,16 +211,45 @@ class Column:
             return value
         if value is None or value != value:
             return "\N{EN DASH}"
+        if self.zero and value == 0:
+            return self.zero
         # Numbers of things and years are no amounts: no comma in them.
         return f"{value:,.{self.digits}f} {self.unit}".strip() if self.unit or self.digits else f"{value:.0f}"
 
 
+def _with_ends(name: str, text: str, short: str) -> dict[str, Column]:
+    """An area, and the ends of its interval."""
+    ends = {"low": "lower end of the 95 % interval", "high": "upper end"}
+    both = {f"{name}_{end}": Column(f"{text}, {told}", f"{short}_{end}", "ha", 2) for end, told in ends.items()}
+    return {name: Column(text, f"{short}_ha", "ha", 2), **both}
+
+
+_NEVER, _BARE = "not within the years", "ground without fuel"
+#: Factors of the siting, and the ground that each tells.
+_GROUND = {
+    "road": "roads",
+    "river": "rivers",
+    "ridge": "ridges",
+    "valley": "valley bottoms",
+    "edge": "the edge of the fuel",
+    "slope": "gentle slopes",
+    "access": "ground that is reached well",
+}
+
 # fmt: off
-#: Columns of segments, treatments, pieces of break, compartments and fronts of fire, in the order of telling.
+#: Columns of segments, treatments, breaks and gaps, compartments and fronts of fire, in the order of telling.
 COLUMNS: Mapping[str, Column] = MappingProxyType({
     "order": Column("Place in the order of construction", "order"),
     "stage": Column("Stage of construction", "stage"),
-    "year": Column("Year of construction", "year"),
+    "year": Column("Year of construction", "year", zero=_NEVER),
+    "year_begun": Column("Year in which building begins", "year_begun", zero=_NEVER),
+    "return_years": Column("Return interval of the fuel", "return_yrs", "years", 1),
+    "upkeep_year": Column("Cost of a year of upkeep, money or hectares", "upkeep_yr", digits=2),
+    "upkeep_years": Column("Years of upkeep", "upkeep_yrs"),
+    "number": Column("Place in the source", "number"),
+    "rank": Column("Place by what it saves", "rank"),
+    "keep": Column("Worth its upkeep", "keep"),
+    "stands_until": Column("Last year in which it stands", "stands_til"),
     "compartment": Column("Compartment", "compartmnt"),
     "length_m": Column("Length", "length_m", "m"),
     "width_m": Column("Mean width", "width_m", "m", 1),
@@ -244,6 +278,28 @@ COLUMNS: Mapping[str, Column] = MappingProxyType({
     "value": Column("Value", "value", digits=2),
     "expected_loss": Column("Expected loss", "exp_loss", digits=2),
     "burnt_value": Column("Value burnt in the simulated fires", "burnt_val", digits=2),
+    **_with_ends("worth_ha", "Saved in the mean fire beside all others", "worth"),
+    "worth_per_km": Column("Saved by a km of it, hectares", "worth_km", digits=2),
+    **_with_ends("alone_ha", "Saved in the mean fire alone", "alone"),
+    "random_ha": Column("Saved alone at random places", "random_ha", "ha", 2),
+    "upkeep_ha": Column("To be treated anew every year", "upkeep_ha", "ha", 2),
+    "from_break": Column("From break", "from_break", zero=_BARE),
+    "to_break": Column("To break", "to_break", zero=_BARE),
+    **_with_ends("saved_ha", "Saved in the mean fire if it is closed", "saved"),
+    "saved_per_km": Column("Saved by closing a km, hectares", "saved_km", digits=2),
+    "random_per_km": Column("Saved by a km at random places, hectares", "random_km", digits=2),
+    "pod": Column("Compartment for operations", "pod"),
+    "pod_a": Column("Compartment on one side", "pod_a"),
+    "pod_b": Column("Compartment on the other side", "pod_b"),
+    "fuel_ha": Column("Area with fuel", "fuel_ha", "ha", 2),
+    "agricultural": Column("Share of the fuel that is agricultural", "agricult", digits=3),
+    "shrubs": Column("Share of the fuel that is shrubs", "shrubs", digits=3),
+    "pines": Column("Share of the fuel that is pines", "pines", digits=3),
+    "burnt_ha": Column("Burnt in the mean fire", "burnt_ha", "ha", 2),
+    "border_m": Column("Border with others", "border_m", "m"),
+    "suitability": Column("Mean suitability of the border, 0 to 1", "suitabil", digits=2),
+    **{f"on_{name}": Column(f"Share of the border that lies on {text}", f"on_{name}", digits=2)
+       for name, text in _GROUND.items()},
     "hours": Column("Hours from the start of the fire", "hours", "h", 1),
 })
 # fmt: on

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from firebreak_gis.errors import InputError, MissingComponentError, ResourceError
@@ -15,7 +16,7 @@ from firebreak_gis.files.gate import (
     stands,
     vector_settings,
 )
-from firebreak_gis.files.sources import chosen_layer, table_of_points, vector_name, within_archive
+from firebreak_gis.files.sources import MAPPED, chosen_layer, such_as, table_of_points, vector_name, within_archive
 from firebreak_gis.grid import crs_name, parse_crs
 
 if TYPE_CHECKING:
@@ -84,6 +85,8 @@ def read_frame(source: str, target: CRS, notes: list[str]) -> tuple[str, gpd.Geo
             raise InputError(f"{name}: the filter {asked.where!r} does not work: {text}") from error
         if asked_for_network(error):
             raise InputError(f"{name} describes data on a server; download them first") from error
+        if Path(place).is_dir():
+            raise InputError(f"{name} is a folder, expected a vector file in it{such_as(name, MAPPED)}") from error
         text = str(error).replace(place, "the file")[:120]
         raise InputError(f"{name} cannot be read as vector data ({text}); is it complete?") from error
     except MemoryError as error:  # as many features as the header of a damaged file may claim

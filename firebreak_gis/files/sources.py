@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import zipfile
 from dataclasses import dataclass
@@ -19,6 +20,10 @@ VECTORS = (
     *(".parquet", ".kml", ".kmz", ".gml", ".gpx", ".sqlite", ".zip", ".gdb", ".tab", ".mif", ".dxf", ".osm", ".pbf"),
     *(".csv",),
 )
+#: Those that are named where a folder is given in place of one.
+MAPPED = tuple(each for each in VECTORS if each not in (".csv", ".json", ".zip"))
+#: How many files of a folder are named.
+_NAMED = 4
 #: Names of columns with coordinates: in degrees, and in the units of the map.
 DEGREES = (("lon", "long", "longitude", "lng"), ("lat", "latitude"))
 METRES = (("x", "easting", "east", "point_x", "coord_x"), ("y", "northing", "north", "point_y", "coord_y"))
@@ -73,6 +78,12 @@ def filtered(name: str, where: str) -> str:
     layer = {str: f"|layername={found.layer}", int: f"|layerid={found.layer}"}.get(type(found.layer), "")
     condition = f"({found.where}) AND ({where})" if found.where else where
     return f"{found.file}{layer}|subset={condition}"
+
+
+def such_as(folder: str | os.PathLike[str], extensions: tuple[str, ...]) -> str:
+    """The first files of a folder that have one of the extensions, as words to go on a sentence; "" for none."""
+    found = sorted(str(each) for each in Path(folder).iterdir() if each.suffix.lower() in extensions)
+    return f", such as {', '.join(found[:_NAMED])}" if found else ""
 
 
 def names_vector(name: str) -> bool:

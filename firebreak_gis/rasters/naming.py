@@ -7,8 +7,10 @@ from pathlib import Path
 
 from firebreak_gis.errors import InputError
 from firebreak_gis.files.gate import REMOTE_HELP, shortened, stands
-from firebreak_gis.files.sources import vector_name
+from firebreak_gis.files.sources import such_as, vector_name
 
+#: Extensions of rasters that are named where a folder is given in place of one.
+RASTERS = (".tif", ".tiff")
 #: `FILE.nc:variable`, a variable of a file that holds several.
 _VARIABLE = re.compile(r"^(?P<file>.+\.(?P<kind>nc|nc4|cdf|h5|hdf5|he5)):(?P<variable>/*\w[\w/ .-]*)$", re.IGNORECASE)
 #: The same as GDAL writes it, `NETCDF:"FILE.nc":variable`.
@@ -19,10 +21,6 @@ _SUBDATASET = re.compile(
 _BAND = re.compile(r"^(?P<raster>.+):(?P<band>[1-9]\d{0,4})$", re.DOTALL)
 #: Addresses of the net, of archives and of servers.
 _REMOTE = re.compile(r"^(/vsi|[A-Za-z0-9+.-]{2,}://|[A-Za-z0-9_]{2,}:)")
-
-
-#: How many rasters of a folder are named.
-_NAMED = 4
 
 
 def gdal_name(name: str) -> str:
@@ -84,7 +82,7 @@ def look_first(name: str, remote: bool) -> None:
     try:
         if Path(path).is_dir():
             if path == name:
-                raise InputError(f"{name} is a folder, expected a raster file in it{_such_as(Path(path))}")
+                raise InputError(f"{name} is a folder, expected a raster file in it{such_as(path, RASTERS)}")
             return
         if not Path(path).exists():
             raise InputError(f"{path} does not exist; check the name and the folder {Path(path).absolute().parent}")
@@ -106,9 +104,3 @@ def first_bytes(path: str) -> bytes:
 def is_markup(start: bytes) -> bool:
     """Whether a file that begins so is XML or HTML."""
     return start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<")
-
-
-def _such_as(folder: Path) -> str:
-    """Rasters of a folder that was named in place of one."""
-    found = sorted(str(each) for each in folder.iterdir() if each.suffix.lower() in (".tif", ".tiff"))
-    return f", such as {', '.join(found[:_NAMED])}" if found else ""

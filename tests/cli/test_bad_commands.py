@@ -145,6 +145,13 @@ COMMANDS = {
         3,
         ["land is a folder", *(str(Path("land", f"{name}.tif")) for name in ("density", "elevation", "vegetation"))],
     ),
+    "plan for its segments": (
+        lambda f: [(f / "some").mkdir(), point("some/segments.gpkg", 3, 3)(f)],
+        ["export", "some", "-o", "s.kml"],
+        3,
+        ["some is a folder, expected a vector file", str(Path("some", "segments.gpkg"))],
+    ),
+    "folder of no features": (text("some/file"), [*PLAN, "-o", "out", "--barriers", "some"], 3, ["some is a folder"]),
     "folder for a layer": (
         text("some/file"),
         ["plan", "some", "-o", "out"],

@@ -18,6 +18,7 @@ from firebreak_gis.cli.parsing import hectares
 from firebreak_gis.construction.delineations import delineate, square_suitability
 from firebreak_gis.errors import InputError, ParameterError
 from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.schema import COLUMNS
 from tests.places import three
 
 SIDE = 25.0
@@ -147,6 +148,8 @@ def test_the_command_writes_what_a_stranger_reads(tmp_path):
         assert done.exit_code == 0, done.output
     pods = gpd.read_file(tmp_path / "out" / "pods.gpkg", layer="pods")
     borders = gpd.read_file(tmp_path / "out" / "pods.gpkg", layer="borders")
+    assert set(pods.columns) - {"geometry"} <= set(COLUMNS)
+    assert set(borders.columns) - {"geometry"} <= set(COLUMNS)
     assert {"pod", "fuel_ha", "shrubs", "burnt_ha", "suitability"} <= set(pods)
     assert shapely.union_all(pods.geometry).area == pytest.approx(pods.geometry.area.sum())
     assert set(borders["pod_a"]) | set(borders["pod_b"]) <= set(pods["pod"])

@@ -45,6 +45,9 @@ def test_columns_are_told_as_people_read_them():
     assert COLUMNS["mean_slope_deg"].told(math.nan) == COLUMNS["stage"].told(None) == "–"
     assert COLUMNS["area_ha"].alias == "Area [ha]"
     assert COLUMNS["stage"].alias == "Stage of construction"
+    assert COLUMNS["year"].told(0) == "not within the years"
+    assert COLUMNS["year"].alias == "Year of construction (0: not within the years)"
+    assert COLUMNS["cost"].told(0) == "0.00"
 
 
 def test_classes_are_those_of_the_paper():

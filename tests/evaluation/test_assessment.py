@@ -21,6 +21,7 @@ from firebreak_gis.grid import Grid
 from firebreak_gis.landscape.existing import existing_breaks
 from firebreak_gis.landscape.target_grid import Account
 from firebreak_gis.network import SpreadNetwork
+from firebreak_gis.schema import COLUMNS
 from firebreak_gis.simulation.fires import simulate
 from tests.places import write
 
@@ -171,6 +172,8 @@ def test_the_command_writes_breaks_and_gaps_that_a_stranger_reads(tmp_path):
     assert done.exit_code == 0, done.output
     breaks = gpd.read_file(tmp_path / "out" / "assessment.gpkg", layer="breaks")
     gaps = gpd.read_file(tmp_path / "out" / "assessment.gpkg", layer="gaps")
+    assert set(breaks.columns) - {"geometry"} <= set(COLUMNS)
+    assert set(gaps.columns) - {"geometry"} <= set(COLUMNS)
     assert breaks["rank"].tolist() == [1, 2, 3]
     assert set(breaks.geom_type) == {"LineString"}
     assert gaps.iloc[0]["length_m"] == 80.0

@@ -27,6 +27,7 @@ from firebreak_gis.planning.outputs import write_plan
 from firebreak_gis.planning.pipeline import plan
 from firebreak_gis.planning.years import YearsRequest, over_years
 from firebreak_gis.report.page.folder import report_page
+from firebreak_gis.schema import COLUMNS
 from tests.places import three, write
 
 
@@ -174,6 +175,7 @@ def test_the_command_tells_the_years(tmp_path):
     assert [row["year"] for row in rows] == ["1", "2", "3", "4"]
     assert all(float(row["spent"]) <= 1.0 + 1e-9 for row in rows)
     lines = gpd.read_file(tmp_path / "out" / "segments.gpkg", layer="lines")
+    assert set(lines.columns) - {"geometry"} <= set(COLUMNS)
     assert {"year", "year_begun", "upkeep_years", "upkeep_year"} <= set(lines)
     assert [row["year"] for row in account["summary"]["years"]] == [1, 2, 3, 4]
     page = (tmp_path / "out" / "report.html").read_text()
@@ -339,6 +341,7 @@ def test_the_command_takes_existing_breaks(tmp_path):
     assert done.exit_code == 0, done.output
     assert "existing breaks" in done.output
     table = gpd.read_file(tmp_path / "out" / "existing.gpkg")
+    assert set(table.columns) - {"geometry"} <= set(COLUMNS)
     assert {"worth_ha", "upkeep_year", "keep", "stands_until"} <= set(table)
     account = json.loads((tmp_path / "out" / "run.json").read_text())
     assert any(each["path"].endswith("old.tif") for each in account["inputs"])
