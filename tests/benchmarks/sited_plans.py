@@ -35,9 +35,9 @@ from firebreak_gis.stakes import StakePlanes
 
 ROOT = Path(__file__).resolve().parents[2]
 SHARED = ROOT.parent / "shared" / "data"
-#: Whole cells with all ground alike, and the plans that are set beside them: without siting, by default, the most.
+#: Whole cells with all ground alike, and the plans that are set beside them: without siting, by default, stronger.
 PLANS = [f"{method}:{strength:g}" for method in ("dissection", "compartments", "lines") for strength in (0.0, STRENGTH)]
-PLANS += ["lines:10"]
+PLANS += ["lines:3", "lines:6", "lines:10"]
 BUDGETS = (0.03, 0.05, 0.1)
 
 
@@ -99,7 +99,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("landscapes", nargs="+")
     parser.add_argument("--plans", nargs="+", metavar="METHOD:STRENGTH", default=PLANS)
-    parser.add_argument("--runs", type=int, default=600)
+    parser.add_argument("--runs", type=int, default=3000)
     given = parser.parse_args()
     for place in given.landscapes:
         measure(place, given.plans, given.runs)
