@@ -201,9 +201,8 @@ class Column:
     @property
     def alias(self) -> str:
         """The text with the unit, and with what 0 means."""
-        return (
-            f"{self.text} [{self.unit}]" if self.unit else f"{self.text} (0: {self.zero})" if self.zero else self.text
-        )
+        more = [f"[{self.unit}]"] * bool(self.unit) + [f"(0: {self.zero})"] * bool(self.zero)
+        return " ".join([self.text, *more])
 
     def told(self, value: object) -> str:
         """A value as people read it; a dash for nothing."""

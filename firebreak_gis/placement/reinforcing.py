@@ -8,6 +8,7 @@ same money and burnt. Where breaks leak, thin walls are laid as well, and widene
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -92,6 +93,7 @@ def best_layout(
         Callback (share done, message).
     """
 
+    @lru_cache(maxsize=2)  # one of them is laid before its turn
     def even(width: int) -> Layout:
         told = f"walls of {width} cell{'s' if width > 1 else ''}"
         return Layout(told, walls(lines(width, None), network, stakes, width)[0], width)

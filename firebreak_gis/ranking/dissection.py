@@ -29,7 +29,7 @@ warm starts, Hamann, Strasser 2018, doi 10.1145/3173045; order of construction, 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -238,7 +238,7 @@ def _as_it_lies(network: SpreadNetwork, stakes: Stakes, params: Params, width: i
     def standard(turned: SpreadNetwork, placed: Stakes, turn: Turn) -> np.ndarray:
         number = turn(np.arange(network.burnable.size).reshape(network.shape)).ravel()
         # Priced as they will be widened, on the map as it lies.
-        found, sizes = _cuts(turned, placed, params, width, progress, turned_corner(turn))
+        found, sizes = _cuts(turned, placed, params, width, progress, corner=turned_corner(turn))
         cuts.extend(cut._replace(cells=number[cut.cells]) for cut in found)
         return sizes
 
@@ -259,15 +259,9 @@ def _turned(
 
 
 def _cuts(
-    network: SpreadNetwork,
-    stakes: Stakes,
-    params: Params,
-    width: int,
-    progress: Progress,
-    corner: tuple[int, int] | None = None,
+    network: SpreadNetwork, stakes: Stakes, params: Params, width: int, progress: Progress, **turned: Any
 ) -> Walls:
     from firebreak_gis.placement.dissection import dissect
-    from firebreak_gis.placement.widening import STANDARD_CORNER
 
     sizes = np.zeros(network.burnable.size, np.int32)
     cuts = dissect(
@@ -278,8 +272,8 @@ def _cuts(
         directions=params.directions,
         smallest=max(params.smallest, width * width),
         sizes=sizes,
-        corner=corner or STANDARD_CORNER,
         progress=progress,
+        **turned,
     )
     return cuts, sizes.reshape(network.shape)
 

@@ -10,7 +10,7 @@ from firebreak_gis.files.gate import REMOTE_HELP, shortened, stands
 from firebreak_gis.files.sources import such_as, vector_name
 
 #: Extensions of rasters that are named where a folder is given in place of one.
-RASTERS = (".tif", ".tiff")
+_RASTERS = (".tif", ".tiff")
 #: `FILE.nc:variable`, a variable of a file that holds several.
 _VARIABLE = re.compile(r"^(?P<file>.+\.(?P<kind>nc|nc4|cdf|h5|hdf5|he5)):(?P<variable>/*\w[\w/ .-]*)$", re.IGNORECASE)
 #: The same as GDAL writes it, `NETCDF:"FILE.nc":variable`.
@@ -82,7 +82,7 @@ def look_first(name: str, remote: bool) -> None:
     try:
         if Path(path).is_dir():
             if path == name:
-                raise InputError(f"{name} is a folder, expected a raster file in it{such_as(path, RASTERS)}")
+                raise InputError(f"{name} is a folder, expected a raster file in it{such_as(path, _RASTERS)}")
             return
         if not Path(path).exists():
             raise InputError(f"{path} does not exist; check the name and the folder {Path(path).absolute().parent}")

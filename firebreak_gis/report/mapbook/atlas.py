@@ -86,9 +86,7 @@ class Atlas:
         row = self.lines.iloc[k]
         shown = []
         for name, text in _FACTS.items():
-            if name == "year" and name in row and _missing(row[name]):
-                shown.append((text, "not within the years"))
-            elif name in row and (name != "cost" or self.has_cost) and not _missing(row[name]):
+            if name in row and (name != "cost" or self.has_cost) and not _missing(row[name]):
                 shown.append((text, COLUMNS[name].told(row[name])))
         return shown
 
@@ -174,8 +172,6 @@ def read_atlas(
     >>> len(fb.read_atlas("out").lines) == len(made.segments.lines)
     True
     """
-    from firebreak_gis.report.page.plan import scheduled
-
     place = Path(source)
     found = _folder(place) if place.is_dir() else _segments(place, dem)
     crs = found["grid"].crs
@@ -187,7 +183,6 @@ def read_atlas(
 
             found[name] = read_features(path, crs)
             found["sources"] += (f"{name.capitalize()}: {Path(path).name}",)
-    found["lines"] = scheduled(found["lines"])
     if title:
         found["title"] = title
     if date:

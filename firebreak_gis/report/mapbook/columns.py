@@ -99,7 +99,7 @@ class Column:
         weight = "bold" if bold else "normal"
         for line in wrapped(text, 72 * self._width, size, weight):
             self._need(size / 72)
-            self._put(self._left, line, fontsize=size, va="top", color=colour, fontweight=weight)
+            self._put(self._left, self.y, line, fontsize=size, va="top", color=colour, fontweight=weight)
             self.y -= size * 1.28 / 72
         self.y -= 0.04
 
@@ -112,19 +112,19 @@ class Column:
     def pair(self, name: str, value: str) -> None:
         """A name and a value beside it."""
         indent, size = (0.22, 9.0) if len(name) < 3 else (1.3, 10.5)
-        self._put(self._left, name, fontsize=9, va="top", color=GREY)
+        self._put(self._left, self.y, name, fontsize=9, va="top", color=GREY)
         for line in wrapped(value, 72 * (self._width - indent), size):
-            self._put(self._left + indent, line, fontsize=size, va="top")
+            self._put(self._left + indent, self.y, line, fontsize=size, va="top")
             self.y -= size * 1.45 / 72
 
     def key(self, entries: Sequence[tuple[str, str]], *, patch: bool) -> None:
         """Colours and what they mean, two in a row."""
         for k, (text, colour) in enumerate(entries):
-            x, y = self._left + (k % 2) * self._width / 2, self.y
-            self._swatch(x, y - 0.06, colour, patch=patch)
-            self.y = y - 0.06
-            self._put(x + 0.29, text, fontsize=7, va="center")
-            self.y = y - (0.155 if k % 2 or k == len(entries) - 1 else 0.0)
+            x, y = self._left + (k % 2) * self._width / 2, self.y - 0.06
+            self._swatch(x, y, colour, patch=patch)
+            self._put(x + 0.29, y, text, fontsize=7, va="center")
+            if k % 2 or k == len(entries) - 1:
+                self.y -= 0.155
 
     def gap(self) -> None:
         """Some room."""
@@ -133,9 +133,9 @@ class Column:
     def _need(self, height: float) -> None:
         """Told before so much is written."""
 
-    def _put(self, x: float, text: str, **look: Any) -> None:
+    def _put(self, x: float, y: float, text: str, **look: Any) -> None:
         if self._figure is not None:
-            put(self._figure, x, self.y, text, **look)
+            put(self._figure, x, y, text, **look)
 
     def _swatch(self, x: float, y: float, colour: str, *, patch: bool) -> None:
         from matplotlib.lines import Line2D

@@ -105,17 +105,13 @@ def overview(atlas: Atlas, paper: Sheet, footer: str, note: str) -> Figure:
     maps.draw_lines(axes, list(atlas.lines.geometry), stage_colours(atlas), 1.7, zorder=3.5)
     maps.draw_numbers(axes, atlas, window, size=5.0)
     maps.dress(axes, window, metres=atlas.grid.crs is not None)
-    whole = _fits(atlas, paper, note)
-    for box, blocks in zip(paper.columns(0.5, 0.5), _beside(atlas, paper, note, whole=whole), strict=False):
-        column = Column(figure, box)
-        for block in blocks:
-            block(column)
+    _tell(figure, atlas, paper, note, whole=_tell(None, atlas, paper, note, whole=True))
     return figure
 
 
 def about(atlas: Atlas, paper: Sheet, footer: str, note: str, first_page: int) -> list[Figure]:
     """Pages of what the plan saves and assumes, if there is no room for all of it beside the overview."""
-    if _fits(atlas, paper, note):
+    if _tell(None, atlas, paper, note, whole=True):
         return []
     numbers = count(first_page)
     width = (paper.width - 3 * _EDGE) / 2
@@ -130,15 +126,13 @@ def about(atlas: Atlas, paper: Sheet, footer: str, note: str, first_page: int) -
     return flow.figures
 
 
-def _fits(atlas: Atlas, paper: Sheet, note: str) -> bool:
-    """Whether all that is said of the plan has room beside the overview."""
-    for box, blocks in zip(paper.columns(0.5, 0.5), _beside(atlas, paper, note, whole=True), strict=False):
-        column = Column(None, box)
+def _tell(figure: Figure | None, atlas: Atlas, paper: Sheet, note: str, *, whole: bool) -> bool:
+    """Write what stands beside the overview, or with no figure nothing; whether it has room."""
+    columns = [Column(figure, box) for box in paper.columns(0.5, 0.5)]
+    for column, blocks in zip(columns, _beside(atlas, paper, note, whole=whole), strict=True):
         for block in blocks:
             block(column)
-        if not column.fits:
-            return False
-    return True
+    return all(column.fits for column in columns)
 
 
 def _beside(atlas: Atlas, paper: Sheet, note: str, *, whole: bool) -> list[list[Block]]:
@@ -300,7 +294,7 @@ _HEADS = (
 
 
 def _cell(name: str, value: Any) -> str:
-    if value is None or value != value:
+    if value is None or value != value or (name in COLUMNS and COLUMNS[name].zero and value == 0):
         return "\N{EN DASH}"
     if name == "gain_share":
         return percent(value).replace("less than ", "< ")

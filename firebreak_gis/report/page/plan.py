@@ -62,7 +62,7 @@ def plan_page(parts: Mapping[str, Any], account: Mapping[str, Any]) -> Page:
         pictures=_pictures(parts, grid),
         outlines=drawn,
         curve=_curve(parts.get("evaluation.csv"), account),
-        segments=_segments(scheduled(parts["segments.gpkg"]) if "segments.gpkg" in parts else None),
+        segments=_segments(_scheduled(parts["segments.gpkg"]) if "segments.gpkg" in parts else None),
         goals=_goals(summary.get("goals", ())),
         years=_years(summary.get("years", ())),
         files=tuple((name, label) for name, label in account.get("files", ()) if name != "report.html"),
@@ -197,7 +197,7 @@ def _outlines(parts: Mapping[str, Any], origin: tuple[float, float]) -> tuple[Ou
         features = pictures.outlines(frame, origin, cards)
         shown.append(Outlines("existing", "Existing breaks", features, EXISTING_COLOUR, shown=True))
     if "segments.gpkg" in parts:
-        frame = scheduled(parts["segments.gpkg"])
+        frame = _scheduled(parts["segments.gpkg"])
         stages = max(int(frame["stage"].max()), 1) if len(frame) else 1
         cards = [
             {
@@ -269,7 +269,7 @@ _COMPARTMENT = (
 _WHEN = (("year", "Year"), ("stage", "Stage"))
 
 
-def scheduled(frame: gpd.GeoDataFrame) -> gpd.GeoDataFrame:
+def _scheduled(frame: gpd.GeoDataFrame) -> gpd.GeoDataFrame:
     """Segments; those that are never built (year 0) have no year, so that they come last."""
     return frame.assign(year=frame["year"].where(frame["year"] > 0)) if "year" in frame else frame
 
